@@ -4,243 +4,274 @@
 #include "Base/Command.h"
 #include "Base/Nearest.h"
 #include "Base/Numbers.h"
-#include "Base/Report.h"
+#include "Base/Settings.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
 
 namespace pixelexact
 {
 namespace
 {
-// Limits of an image: its pixels and their buffers must be countable in 32 bits.
-constexpr std::int64_t kMaxPixels = std::int64_t{ 1 } << 30;
-
-void CheckPixels(double width, double height)
+/// The row of a command's option, which has one of these types.
+const Setting& RowOf(
+  const CLI::App& command, const char* name, std::initializer_list<SettingType> types)
 {
-  if (!(width >= 1.0 && height >= 1.0 && width * height <= static_cast<double>(kMaxPixels)))
+  const Setting* row = FindSetting(command.get_name(), name);
+  if (row == nullptr || std::ranges::find(types, row->type) == types.end())
   {
-    throw UsageError(fmt::format(
-      "--size: {:.0f} x {:.0f} pixels; at least 1 x 1 and at most 2^30 of them", width, height));
+    throw std::logic_error(
+      command.get_name() + " " + name + ": the table of settings has no row of this type");
+  }
+  return *row;
+}
+
+int ReadInteger(const Setting& row, std::string_view text)
+{
+  int number = 0;
+  if (!ParseInteger(text, number) || number < row.lowest || number > row.highest)
+  {
+    Refuse(std::string(row.LongName()), std::string(text), std::string(row.expected));
+  }
+  return number;
+}
+
+std::vector<int> ReadIntegers(const Setting& row, const std::string& text)
+{
+  std::vector<int> numbers;
+  for (const std::string& part : text == "none" ? std::vector<std::string>() : SplitAt(text, ','))
+  {
+    int number = 0;
+    if (!ParseInteger(part, number) || number < row.lowest || number > row.highest)
+    {
+      Refuse(std::string(row.LongName()), text, std::string(row.expected));
+    }
+    numbers.push_back(number);
+  }
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+double ReadNumber(const Setting& row, const std::string& text)
+{
+  double number = 0.0;
+  if (!ParseNumber(text, number) || !std::isfinite(number) || number < row.lowest ||
+    number > row.highest)
+  {
+    Refuse(std::string(row.LongName()), text, std::string(row.expected));
+  }
+  return number;
+}
+
+std::vector<double> ReadNumbersOf(const Setting& row, const std::string& text)
+{
+  const std::string name(row.LongName());
+  std::vector<double> numbers = ReadNumbers(name, text, row.count, std::string(row.form));
+  if (row.type == SettingType::Color)
+  {
+    CheckColor(name, numbers);
+  }
+  return numbers;
+}
+
+void CheckChoice(const Setting& row, const std::string& text)
+{
+  if (!HasWord(row.choices, text))
+  {
+    throw UsageError(std::string(row.LongName()) + ": expected " + std::string(row.expected) +
+      ", got '" + text + "'" + Suggestion(WordsIn(row.choices), text));
   }
 }
 
-constexpr const char* kSizeForm =
-  "WIDTHxHEIGHT in pixels, both at least 1, or in mm or in, as 85x60mm";
-
-ImageSize ParseSize(const std::string& option, const std::string& text)
+/// Needs and conflicts of an option, with those options of its command that are there by now.
+void Relate(CLI::App& command, const Setting& row, CLI::Option* option)
 {
-  ImageSize size;
-  std::string_view numbers = text;
-  const double perInch = numbers.ends_with("mm") ? 25.4 : numbers.ends_with("in") ? 1.0 : 0.0;
-  numbers.remove_suffix(perInch > 0.0 ? 2 : 0);
-  const auto cross = numbers.find('x');
-  if (cross == std::string_view::npos)
+  for (const std::string& name : WordsIn(row.needs))
   {
-    Refuse(option, text, kSizeForm);
-  }
-  const std::string_view width = numbers.substr(0, cross);
-  const std::string_view height = numbers.substr(cross + 1);
-  if (perInch > 0.0)
-  {
-    std::array<double, 2> lengths{};
-    if (!ParseNumber(width, lengths[0]) || !ParseNumber(height, lengths[1]) ||
-      !(lengths[0] > 0.0 && lengths[1] > 0.0) || !std::isfinite(lengths[0] * lengths[1]))
+    if (CLI::Option* other = command.get_option_no_throw(name))
     {
-      Refuse(option, text, kSizeForm);
+      option->needs(other);
     }
-    size.inches = { lengths[0] / perInch, lengths[1] / perInch };
-    return AtDpi(size, kUsualDpi);
   }
-  if (!ParseInteger(width, size.width) || !ParseInteger(height, size.height) || size.width < 1 ||
-    size.height < 1)
+  for (const std::string& name : WordsIn(row.excludes))
   {
-    Refuse(option, text, kSizeForm);
+    if (CLI::Option* other = command.get_option_no_throw(name))
+    {
+      option->excludes(other);
+    }
   }
-  CheckPixels(size.width, size.height);
-  return size;
+  for (const Setting& of : Settings())
+  {
+    const bool needs = HasWord(of.needs, row.LongName());
+    const bool excludes = HasWord(of.excludes, row.LongName());
+    CLI::Option* other = (needs || excludes) && HasWord(of.commands, command.get_name())
+      ? command.get_option_no_throw(std::string(of.LongName()))
+      : nullptr;
+    if (other != nullptr && needs)
+    {
+      other->needs(option);
+    }
+    if (other != nullptr && excludes)
+    {
+      other->excludes(option);
+    }
+  }
+}
+
+/// What the row states of an option that was added.
+void Finish(CLI::App& command, const Setting& row, CLI::Option* option)
+{
+  std::string help(row.help);
+  if (!row.defaultText.empty())
+  {
+    help += " Default: " + std::string(row.defaultText) + ".";
+  }
+  option->description(help)
+    ->group(std::string(row.group))
+    ->required(HasWord(row.required, command.get_name()));
+  if (!row.form.empty())
+  {
+    option->type_name(std::string(row.form));
+  }
+  Relate(command, row, option);
+}
+
+/// Adds an option whose values `read` takes.
+void AddReader(CLI::App& command, const Setting& row, const ReadText& read)
+{
+  const std::string names(row.names);
+  if (row.repeated)
+  {
+    const auto readAll = [read](const std::vector<std::string>& texts)
+    { std::ranges::for_each(texts, read); };
+    Finish(command, row,
+      command
+        .add_option_function<std::vector<std::string>>(names, readAll)
+        // One value after each --name: the next argument may be an input file.
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+    return;
+  }
+  CLI::Option* option = command.add_option_function<std::string>(names, read);
+  Finish(command, row, option);
+  if (row.type == SettingType::NumberIfAny)
+  {
+    // PrepareWords puts the number where it is left out.
+    option->default_str(std::string(row.implied))->expected(0, 1);
+  }
 }
 } // namespace
 
-ImageSize AtDpi(const ImageSize& size, double dpi)
+void Bind(CLI::App& command, const char* name, bool& given)
 {
-  ImageSize pixels = size;
-  if (size.inches)
-  {
-    const double width = std::round((*size.inches)[0] * dpi);
-    const double height = std::round((*size.inches)[1] * dpi);
-    CheckPixels(width, height);
-    pixels.width = static_cast<int>(width);
-    pixels.height = static_cast<int>(height);
-  }
-  return pixels;
+  const Setting& row = RowOf(command, name, { SettingType::Flag });
+  Finish(command, row, command.add_flag(std::string(row.names), given));
 }
 
-AddedOption& AddedOption::Group(const std::string& name)
+void Bind(CLI::App& command, const char* name, std::string& text)
 {
-  Option->group(name);
-  return *this;
+  const Setting& row = RowOf(command, name, { SettingType::Text });
+  Finish(command, row, command.add_option(std::string(row.names), text));
 }
 
-AddedOption& AddedOption::Required(bool required)
+void Bind(CLI::App& command, const char* name, std::vector<std::string>& texts)
 {
-  Option->required(required);
-  return *this;
+  const Setting& row = RowOf(command, name, { SettingType::Texts });
+  Finish(command, row, command.add_option(std::string(row.names), texts));
 }
 
-AddedOption& AddedOption::Needs(const AddedOption& other)
+void Bind(CLI::App& command, const char* name, std::vector<std::vector<std::string>>& groups)
 {
-  Option->needs(other.Option);
-  return *this;
+  const Setting& row = RowOf(command, name, { SettingType::WordGroups });
+  Finish(command, row, command.add_option(std::string(row.names), groups));
 }
 
-AddedOption& AddedOption::Excludes(const AddedOption& other)
+void Bind(CLI::App& command, const char* name, int& number)
 {
-  Option->excludes(other.Option);
-  return *this;
+  const Setting& row = RowOf(command, name, { SettingType::Integer });
+  number = std::isnan(row.initial) ? number : static_cast<int>(row.initial);
+  AddReader(command, row, [&](const std::string& text) { number = ReadInteger(row, text); });
 }
 
-AddedOption AddFlag(
-  CLI::App& command, const std::string& name, bool& given, const std::string& help)
+void Bind(CLI::App& command, const char* name, std::optional<int>& number)
 {
-  return AddedOption(command.add_flag(name, given, help));
+  const Setting& row = RowOf(command, name, { SettingType::Integer });
+  AddReader(command, row, [&](const std::string& text) { number = ReadInteger(row, text); });
 }
 
-AddedOption AddText(CLI::App& command, const std::string& name, std::string& text, const char* form,
-  const std::string& help)
+void Bind(CLI::App& command, const char* name, std::vector<int>& numbers)
 {
-  return AddedOption(command.add_option(name, text, help)->type_name(form));
+  const Setting& row = RowOf(command, name, { SettingType::Integers });
+  AddReader(command, row, [&](const std::string& text) { numbers = ReadIntegers(row, text); });
 }
 
-AddedOption AddArguments(CLI::App& command, const std::string& name,
-  std::vector<std::string>& texts, const char* form, const std::string& help)
+void Bind(CLI::App& command, const char* name, std::optional<std::vector<int>>& numbers)
 {
-  return AddedOption(command.add_option(name, texts, help)->type_name(form));
+  const Setting& row = RowOf(command, name, { SettingType::Integers });
+  AddReader(command, row, [&](const std::string& text) { numbers = ReadIntegers(row, text); });
 }
 
-AddedOption AddWordGroups(CLI::App& command, const std::string& name,
-  std::vector<std::vector<std::string>>& groups, const char* form, const std::string& help)
+void Bind(CLI::App& command, const char* name, double& number)
 {
-  return AddedOption(command.add_option(name, groups, help)->type_name(form));
+  const Setting& row = RowOf(command, name, { SettingType::Number });
+  number = std::isnan(row.initial) ? number : row.initial;
+  AddReader(command, row, [&](const std::string& text) { number = ReadNumber(row, text); });
 }
 
-AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText& read,
-  const std::vector<std::string>& choices, const std::string& help)
+void Bind(CLI::App& command, const char* name, std::optional<double>& number)
 {
-  const auto check = [read, name, choices](const std::string& text)
-  {
-    if (std::ranges::find(choices, text) == choices.end())
+  const Setting& row = RowOf(command, name, { SettingType::Number, SettingType::NumberIfAny });
+  AddReader(command, row, [&](const std::string& text) { number = ReadNumber(row, text); });
+}
+
+void Bind(CLI::App& command, const char* name, std::vector<double>& numbers)
+{
+  const Setting& row = RowOf(command, name, { SettingType::Numbers, SettingType::Color });
+  AddReader(command, row, [&](const std::string& text) { numbers = ReadNumbersOf(row, text); });
+}
+
+void Bind(CLI::App& command, const char* name, std::vector<std::vector<double>>& values)
+{
+  const Setting& row = RowOf(command, name, { SettingType::Numbers });
+  AddReader(
+    command, row, [&](const std::string& text) { values.push_back(ReadNumbersOf(row, text)); });
+}
+
+void Bind(CLI::App& command, const char* name, ImageSize& size)
+{
+  const Setting& row = RowOf(command, name, { SettingType::Size });
+  AddReader(command, row,
+    [&](const std::string& text) { size = ParseImageSize(std::string(row.LongName()), text); });
+}
+
+void Bind(CLI::App& command, const char* name, const ReadText& read)
+{
+  const Setting& row = RowOf(command, name, { SettingType::Choice, SettingType::Read });
+  AddReader(command, row,
+    [&row, read](const std::string& text)
     {
-      throw UsageError(name + ": expected one of " + Listed(choices) + ", got '" + text + "'" +
-        Suggestion(choices, text));
-    }
-    read(text);
-  };
-  return AddedOption(command.add_option_function<std::string>(name, check, help)
-                       ->type_name(fmt::format("{}", fmt::join(choices, "|"))));
-}
-
-AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
-  int highest, const char* form, const std::string& help)
-{
-  return AddRead(
-    command, name,
-    [&number, name, lowest, highest](const std::string& text)
-    {
-      if (!ParseInteger(text, number) || number < lowest || number > highest)
+      if (row.type == SettingType::Choice)
       {
-        Refuse(name, text, fmt::format("a whole number from {} to {}", lowest, highest));
+        CheckChoice(row, text);
       }
-    },
-    form, help);
+      read(text);
+    });
 }
 
-AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
-  const char* form, const std::string& help)
+void FillHelp(
+  CLI::App& command, const char* name, const std::string& placeholder, const std::string& text)
 {
-  return AddRead(
-    command, name,
-    [&number, name](const std::string& text)
-    {
-      double value = 0.0;
-      if (!ParseNumber(text, value) || !std::isfinite(value))
-      {
-        Refuse(name, text, "a finite number");
-      }
-      number = value;
-    },
-    form, help);
-}
-
-AddedOption AddNumberIfAny(CLI::App& command, const std::string& name,
-  std::optional<double>& number, const NumberLimits& limits, const char* form,
-  const std::string& help)
-{
-  const auto read = [&number, name, limits](const std::string& text)
-  {
-    double value = 0.0;
-    if (!ParseNumber(text, value) || !(value >= limits.lowest && value <= limits.highest))
-    {
-      Refuse(name, text, fmt::format("a number from {} to {}", limits.lowest, limits.highest));
-    }
-    number = value;
-  };
-  // PrepareWords puts the default where it is left out.
-  return AddedOption(command.add_option_function<std::string>(name, read, help)
-                       ->type_name(fmt::format("[{}]", form))
-                       ->default_str(fmt::format("{}", limits.unsaid))
-                       ->expected(0, 1));
-}
-
-AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
-  int count, const char* form, const std::string& help)
-{
-  return AddRead(
-    command, name,
-    [&numbers, name, count, form](const std::string& text)
-    { numbers = ReadNumbers(name, text, count, form); },
-    form, help);
-}
-
-AddedOption AddRepeatedNumbers(CLI::App& command, const std::string& name,
-  std::vector<std::vector<double>>& values, int count, const char* form, const std::string& help)
-{
-  return AddRepeated(
-    command, name,
-    [&values, name, count, form](const std::string& text)
-    { values.push_back(ReadNumbers(name, text, count, form)); },
-    form, help);
-}
-
-AddedOption AddSize(
-  CLI::App& command, const std::string& name, ImageSize& size, const std::string& help)
-{
-  return AddRead(
-    command, name, [&size, name](const std::string& text) { size = ParseSize(name, text); },
-    "WxH[mm|in]", help);
-}
-
-AddedOption AddRead(CLI::App& command, const std::string& name, const ReadText& read,
-  const char* form, const std::string& help)
-{
-  return AddedOption(command.add_option_function<std::string>(name, read, help)->type_name(form));
-}
-
-AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadText& read,
-  const char* form, const std::string& help)
-{
-  const auto readAll = [read](const std::vector<std::string>& texts)
-  { std::ranges::for_each(texts, read); };
-  return AddedOption(command.add_option_function<std::vector<std::string>>(name, readAll, help)
-                       ->type_name(form)
-                       // One value after each --name: the next argument may be an input file.
-                       ->expected(1)
-                       ->allow_extra_args(false)
-                       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+  CLI::Option* option = command.get_option(name);
+  std::string help = option->get_description();
+  const std::string word = "{" + placeholder + "}";
+  help.replace(help.find(word), word.size(), text);
+  option->description(help);
 }
 
 void Refuse(const std::string& option, const std::string& text, const std::string& form)
@@ -249,7 +280,7 @@ void Refuse(const std::string& option, const std::string& text, const std::strin
 }
 
 std::vector<double> ReadNumbers(
-  const std::string& option, const std::string& text, int count, const char* form)
+  const std::string& option, const std::string& text, int count, const std::string& form)
 {
   std::vector<double> numbers;
   std::string_view rest = text;
@@ -273,6 +304,14 @@ std::vector<double> ReadNumbers(
     Refuse(option, text, form);
   }
   return numbers;
+}
+
+void CheckColor(const std::string& option, const std::vector<double>& color)
+{
+  if (std::ranges::any_of(color, [](double c) { return c < 0.0 || c > 1.0; }))
+  {
+    throw UsageError(option + ": red, green and blue lie between 0 and 1");
+  }
 }
 
 bool IsGiven(const CLI::App& command, const std::string& name)
@@ -321,14 +360,10 @@ CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::stri
 
 void AddCommonOptions(CLI::App& command, CommonOptions& options)
 {
-  AddInteger(command, "--threads", options.threads, 1, 1 << 16, "N",
-    "Number of threads (default: as the machine has)");
-  AddFlag(command, "--json", options.json, "Print a machine-readable summary on stdout");
-  AddText(command, "--config", options.config, "FILE",
-    "Options that are not given, in JSON (default: ~/.config/pixelexact/config.json, where it is "
-    "there; before it come those of the environment's PIXELEXACT_OPTIONS)");
-  AddFlag(command, "--no-config", options.noConfig, "Neither that file nor PIXELEXACT_OPTIONS");
-  AddFlag(command, "-q,--quiet", options.quiet,
-    "Print no table, and not what was chosen; warnings and errors remain");
+  Bind(command, "--threads", options.threads);
+  Bind(command, "--json", options.json);
+  Bind(command, "--config", options.config);
+  Bind(command, "--no-config", options.noConfig);
+  Bind(command, "--quiet", options.quiet);
 }
 } // namespace pixelexact

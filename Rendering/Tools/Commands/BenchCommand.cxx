@@ -223,17 +223,11 @@ void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& act
     "against "
     "frames that have them; without INPUT, of made meshes",
     [options, &common, &action] { action = [options, &common] { Bench(*options, common); }; });
-  options->shot.AddTo(command, false);
+  options->shot.AddTo(command);
   options->contours.AddTo(command);
-  AddInteger(command, "--repeat", options->repeat, 1, 1000000, "N", "Frames to time (default: 5)");
-  AddInteger(command, "--elements", options->largest, 1, 10000000, "N",
-    "Without INPUT: the most elements of a made mesh (default: 200000)");
-  AddChoice(
-    command, "--paper", [options](const std::string& text) { options->paper = text; },
-    { "quick", "whole" },
-    "Instead: the paper's figures 8 and 10 on made meshes, and with INPUT 9 and 11 on a plane "
-    "through it; tables, CSV and plots");
-  AddText(command, "-o,--output", options->folder, "FOLDER",
-    "Of --paper: where CSV and plots go (default: paper)");
+  Bind(command, "--repeat", options->repeat);
+  Bind(command, "--elements", options->largest);
+  Bind(command, "--paper", [options](const std::string& text) { options->paper = text; });
+  Bind(command, "--output", options->folder);
 }
 } // namespace pixelexact

@@ -222,7 +222,6 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
     CompareSolutions(options.shot, options.difference, options.trade.Output(), common);
     return;
   }
-  options.trade.Check();
   if (options.knobs.Stride() > 1 || options.shot.input.truncateOrder)
   {
     throw UsageError(std::string(options.knobs.Stride() > 1 ? "--stride" : "--truncate-order") +

@@ -315,8 +315,6 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
     "Tell what a mesh file holds, and between which values its fields are, to a thousandth",
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
   options->input.AddTo(command);
-  AddFlag(command, "--certify", options->certify,
-    "Also prove the ranges of the fields, of their gradients and of det J, and which elements are "
-    "valid");
+  Bind(command, "--certify", options->certify);
 }
 } // namespace pixelexact

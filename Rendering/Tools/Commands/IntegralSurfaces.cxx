@@ -30,9 +30,6 @@ namespace
 struct Kind
 {
   const char* name;
-  int count;
-  const char* form;
-  std::string help;
   std::function<void(const GivenNumbers& p, IntegralSurface& surface)> make;
 };
 
@@ -63,21 +60,19 @@ const std::vector<Kind>& Kinds()
   static const std::vector<Kind> kinds = []
   {
     std::vector<Kind> all;
-    all.push_back({ "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
-      "Over the disc about c with normal n: the part of a plane within a circle", TakeDisc });
+    all.push_back({ "--disc", TakeDisc });
     for (const QuadricKind& kind : kQuadricKinds)
     {
-      all.push_back({ kind.name, kind.count, kind.form, std::string("Over ") + kind.what,
+      all.push_back({ kind.name,
         [make = kind.make](const GivenNumbers& p, IntegralSurface& surface)
         { TakeFunction(make(p), surface); } });
     }
-    all.push_back({ "--torus", 8, "cx,cy,cz,ax,ay,az,R,r",
-      "Over the torus about c with axis a, of radii R and r",
-      [](const GivenNumbers& p, IntegralSurface& surface)
-      { TakeFunction(Torus(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]), surface); } });
-    all.push_back({ "--box", 6, "x0,y0,z0,x1,y1,z1", "Over the faces of a box",
-      [](const GivenNumbers& p, IntegralSurface& surface)
-      { TakeFunction(MakeBox(VectorAt(p, 0), VectorAt(p, 3)), surface); } });
+    all.push_back({ "--torus", [](const GivenNumbers& p, IntegralSurface& surface) {
+                     TakeFunction(Torus(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]), surface);
+                   } });
+    all.push_back({ "--box", [](const GivenNumbers& p, IntegralSurface& surface) {
+                     TakeFunction(MakeBox(VectorAt(p, 0), VectorAt(p, 3)), surface);
+                   } });
     return all;
   }();
   return kinds;
@@ -86,42 +81,23 @@ const std::vector<Kind>& Kinds()
 
 void IntegralSurfaces::AddTo(CLI::App& command)
 {
-  const char* group = "Surfaces (any number of each)";
-  AddRepeated(
-    command, "--plane",
-    [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); },
-    PlaneChoice::kForm,
-    "Over the plane through o with normal n; or across x, y or z, through the middle of the mesh's "
-    "box, at a coordinate (z=0.2), or at a part of the box (z=10%). Without any surface: through "
-    "the middle, across the shortest side")
-    .Group(group);
+  Bind(command, "--plane",
+    [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); });
   for (const Kind& kind : Kinds())
   {
-    AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
-      .Group(group);
+    Bind(command, kind.name, Numbers[kind.name]);
   }
-  AddRepeated(
-    command, "--surface", [this](const std::string& file) { Files.push_back(file); }, "FILE",
-    "Over the triangles of a file (.vtp, .stl), as they are")
-    .Group(group);
-  AddRepeated(
-    command, "--patch",
+  Bind(command, "--surface", [this](const std::string& file) { Files.push_back(file); });
+  Bind(command, "--patch",
     [](const std::string&)
     {
       throw UsageError(
         "--patch: integrals over Bezier patches are not there; give the triangles of "
         "a file (--surface)");
-    },
-    "FILE", "Refused: there are no integrals over Bezier patches")
-    .Group(group);
-  AddRepeated(
-    command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
-    "FIELD=VALUE",
-    "Over the points where a field has a value; of a vector field its magnitude, or "
-    "FIELD.COMPONENT=VALUE, x, y, z or counted from 0")
-    .Group(group);
-  AddRepeated(
-    command, "--boundary",
+    });
+  Bind(
+    command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); });
+  Bind(command, "--boundary",
     [this](const std::string& text)
     {
       Boundaries.push_back(ParseBoundary(text));
@@ -130,11 +106,8 @@ void IntegralSurfaces::AddTo(CLI::App& command)
         throw UsageError("--boundary: integrals over faces of single elements are not there; give "
                          "attributes of the boundary");
       }
-    },
-    "[=all|ATTRIBUTE,...]", "Over the boundary of the mesh, or its parts with these attributes")
-    .Group(group);
-  AddRepeatedNumbers(command, "--clip", HalfSpaces, 6, "ox,oy,oz,nx,ny,nz",
-    "Of all surfaces only what lies on the side of the plane through o that n points to");
+    });
+  Bind(command, "--clip", HalfSpaces);
 }
 
 std::string IntegralSurfaces::NotLinear() const

@@ -38,14 +38,6 @@ struct IntegrateOptions
     IntegralEffort effort;
     effort.tolerance = tolerance.value_or(effort.tolerance);
     effort.seconds = seconds.value_or(effort.seconds);
-    if (!(effort.tolerance > 0.0))
-    {
-      throw UsageError("--tolerance must be greater than 0");
-    }
-    if (!(effort.seconds > 0.0))
-    {
-      throw UsageError("--seconds must be more than 0");
-    }
     return effort;
   }
 };
@@ -220,13 +212,10 @@ void AddIntegrateCommand(CLI::App& program, const CommonOptions& common, Action&
     [options, &common, &action]
     { action = [options, &common] { RunIntegrate(*options, common); }; });
   options->input.AddTo(command);
-  AddField(command, options->field);
+  Bind(command, "--field", options->field);
   options->surfaces.AddTo(command);
-  AddNumber(command, "--tolerance", options->tolerance, "PART",
-    "The largest error, as a part of the integral of the magnitude (default: 1e-8)");
-  AddNumber(command, "--seconds", options->seconds, "S",
-    "Give what is known after so many seconds for each surface (default: as long as it takes)");
-  AddInteger(command, "--linear", options->linear, 0, 5, "LEVEL",
-    "Beside it what VTK gives: elements cut into linear cells, vtkCutter, vtkIntegrateAttributes");
+  Bind(command, "--tolerance", options->tolerance);
+  Bind(command, "--seconds", options->seconds);
+  Bind(command, "--linear", options->linear);
 }
 } // namespace pixelexact

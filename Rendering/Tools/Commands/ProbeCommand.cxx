@@ -207,8 +207,7 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
     "Evaluate a field at the points of a table; without a field, locate them",
     [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
   options->input.AddTo(command);
-  AddRepeated(
-    command, "--field",
+  Bind(command, "--field",
     [options](const std::string& name)
     {
       if (std::ranges::find(options->fields, name) != options->fields.end())
@@ -216,38 +215,17 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
         throw UsageError("--field: '" + name + "' is there twice; give it once");
       }
       options->fields.push_back(name);
-    },
-    "NAME",
-    "Name of a field, or an expression of fields; of several each has columns of its name "
-    "(default: the first one, which is "
-    "named on stderr)");
-  const AddedOption points = AddText(command, "--points", options->points, "FILE",
-    "CSV file with a header line and the columns x, y and z (2-D meshes need no z), or Points:0 to "
-    "Points:2 as ParaView writes them, between commas, semicolons or tabs; others are ignored; - "
-    "for standard input");
-  AddRead(
-    command, "--line",
+    });
+  Bind(command, "--points", options->points);
+  Bind(command, "--line",
     [options](const std::string& text)
     {
       options->line = ReadLine(text);
       options->lineHasZ = std::ranges::count(text, ',') != kPlaneCommas;
-    },
-    kLineForm,
-    "Instead of these n points on the line from one point to another, evenly spaced, both among "
-    "them; their distance from the first one is a column, too; x0,y0,x1,y1,n in 2-D meshes")
-    .Excludes(points);
-  AddText(command, "-o,--output", options->output, "FILE",
-    "CSV file to write: the points in their order, the field's values (nan outside), the element's "
-    "number "
-    "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
-    "unknown; - for standard output (default)");
-  AddFlag(command, "--gradient", options->columns.gradient,
-    "Also write the gradient in world coordinates");
-  AddFlag(command, "--enclosures", options->columns.enclosures,
-    "Also write value_lower and value_upper: an interval that is proven to hold the field's value "
-    "at the point, the error of the inverse map included (-inf to inf where nothing is proven)");
-  AddFlag(command, "--owners", options->columns.owners,
-    "Also write how often the mesh covers each point: owners, the preimages in all elements, and "
-    "coverage: none (outside, or a gap), once, several (an overlap, or a fold), undecided");
+    });
+  Bind(command, "--output", options->output);
+  Bind(command, "--gradient", options->columns.gradient);
+  Bind(command, "--enclosures", options->columns.enclosures);
+  Bind(command, "--owners", options->columns.owners);
 }
 } // namespace pixelexact

@@ -12,8 +12,7 @@ namespace pixelexact
 {
 void FontOptions::AddTo(CLI::App& command)
 {
-  AddRead(
-    command, "--font",
+  Bind(command, "--font",
     [this](const std::string& text)
     {
       const bool named = text == "sans" || text == "serif";
@@ -21,11 +20,7 @@ void FontOptions::AddTo(CLI::App& command)
         : named                     ? FontChoice::Family::Sans
                                     : FontChoice::Family::File;
       Font.file = named ? std::string() : text;
-    },
-    "sans|serif|FILE",
-    "Letters of the figure and of labels: without serifs, as Arial (default), with them, as Times, "
-    "or those of a file (TrueType, OpenType or Type 1)")
-    .Group("Figure");
+    });
 }
 
 void FontOptions::Check() const

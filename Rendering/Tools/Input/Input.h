@@ -31,11 +31,8 @@ struct InputRequest
   bool timesAlone = false;          ///< readers return when they know the times, without a grid
 
   /// Declares INPUT as the command's positional arguments, and the options.
-  void AddTo(CLI::App& command, bool required = true);
+  void AddTo(CLI::App& command);
 };
-
-/// Declares --field; empty: the first one.
-void AddField(CLI::App& command, std::string& field);
 
 struct InputGrid
 {

@@ -35,9 +35,7 @@ Vec3 Rotated(const Vec3& v, const Vec3& axis, double angle)
 void AnimationOptions::AddTo(CLI::App& command)
 {
   Command = &command;
-  const char* group = "Animation (and --time-step all)";
-  AddRead(
-    command, "--sweep",
+  Bind(command, "--sweep",
     [this](const std::string& text)
     {
       Swept sweep{};
@@ -61,13 +59,8 @@ void AnimationOptions::AddTo(CLI::App& command)
       sweep.axis = text[0];
       sweep.inPercent = first;
       Sweep = sweep;
-    },
-    kSweepForm,
-    "Cut by a plane that moves across x, y or z: N pictures from one place to another, both among "
-    "them; places in percent are parts of the mesh's box. It is surface 1")
-    .Group(group);
-  AddRead(
-    command, "--turn",
+    });
+  Bind(command, "--turn",
     [this](const std::string& text)
     {
       const std::vector<std::string> parts = SplitAt(text, ':');
@@ -79,16 +72,9 @@ void AnimationOptions::AddTo(CLI::App& command)
         Refuse("--turn", text, std::string(kTurnForm) + ", such as 360:90");
       }
       Turn = { degrees, frames };
-    },
-    kTurnForm,
-    "Turn the camera by so many degrees in N pictures, about its view-up through the middle of the "
-    "mesh's box, or the focal point that was given")
-    .Group(group);
-  AddNumber(command, "--fps", Rate, "N", "Pictures in a second of a video (default: 25)")
-    .Group(group);
-  AddFlag(command, "--resume", Resume,
-    "Leave pictures as they are that were made of the same inputs by the same command line")
-    .Group(group);
+    });
+  Bind(command, "--fps", Rate);
+  Bind(command, "--resume", Resume);
 }
 
 bool AnimationOptions::IsAsked(const InputRequest& input) const
@@ -102,10 +88,6 @@ void AnimationOptions::Check(const InputRequest& input) const
   {
     throw UsageError(fmt::format(
       "--sweep has {} pictures and --turn {}; give both as many", Sweep->frames, Turn->frames));
-  }
-  if (Rate && !(*Rate > 0.0 && *Rate <= 1000.0))
-  {
-    throw UsageError("--fps: expected a number above 0 and up to 1000");
   }
   for (const char* option : { "--fps", "--resume" })
   {

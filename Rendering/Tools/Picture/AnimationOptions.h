@@ -38,7 +38,7 @@ public:
 
   /// Whether frames that are there already, and are the same, stay.
   [[nodiscard]] bool Resumes() const { return Resume; }
-  [[nodiscard]] double FramesPerSecond() const { return Rate.value_or(25.0); }
+  [[nodiscard]] double FramesPerSecond() const { return Rate; }
 
 private:
   struct Swept
@@ -58,6 +58,6 @@ private:
   std::optional<Swept> Sweep;
   std::optional<Turned> Turn;
   bool Resume = false;
-  std::optional<double> Rate;
+  double Rate = 0.0;
 };
 } // namespace pixelexact

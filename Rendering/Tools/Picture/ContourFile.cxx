@@ -82,10 +82,8 @@ void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all)
 
 void ContourFileOptions::AddTo(CLI::App& added)
 {
-  const AddedOption lines = AddText(added, "--contours-output", file, "LINES.vtp",
-    "Write the contours on planes, quadrics and tori as polylines with proven topology");
-  AddRead(
-    added, "--contours-tolerance",
+  Bind(added, "--contours-output", file);
+  Bind(added, "--contours-tolerance",
     [this](const std::string& text)
     {
       double length = 0.0;
@@ -94,11 +92,7 @@ void ContourFileOptions::AddTo(CLI::App& added)
         Refuse("--contours-tolerance", text, "a length greater than 0");
       }
       tolerance = length;
-    },
-    "LENGTH",
-    "How far their chords may be from the curves, 1e-10 of the mesh's diagonal or more (default: "
-    "1e-4 of it)")
-    .Needs(lines);
+    });
 }
 
 void CheckContourSurfaces(const Shot& shot)

@@ -96,17 +96,9 @@ double UnitOf(const Shot& shot)
 
 void FigureOptions::AddTo(CLI::App& command)
 {
-  const char* group = "Figure";
-  const AddedOption figure = AddFlag(command, "--figure", Asked,
-    "A whole figure of --size: beside the picture the colours' bars with ticks and names, the "
-    "time, "
-    "what pixels show no value, the axes, and a scale where lengths in the picture have one")
-                               .Group(group);
-  AddText(command, "--title", Title, "TEXT", "A title above the picture")
-    .Needs(figure)
-    .Group(group);
-  AddRead(
-    command, "--font-size",
+  Bind(command, "--figure", Asked);
+  Bind(command, "--title", Title);
+  Bind(command, "--font-size",
     [this](const std::string& text)
     {
       double size = 0.0;
@@ -119,12 +111,7 @@ void FigureOptions::AddTo(CLI::App& command)
           fmt::format("pixels, a number from {} to {}, or points, 7pt", least, kLargestFont));
       }
       FontSize = size;
-    },
-    "PIXELS|POINTSpt",
-    "The size of its letters (default: a 40th of the figure's height; 7pt where --size is a "
-    "length)")
-    .Needs(figure)
-    .Group(group);
+    });
 }
 
 int FigureOptions::FontOf(const ImageSize& figure) const

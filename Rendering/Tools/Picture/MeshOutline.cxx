@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/MeshOutline.h"
 
-#include "Base/Command.h"
 #include "Drawing/Blending.h"
 #include "Picture/OutlineLines.h"
 #include "Scene/ColorOptions.h"
 #include "Scene/Shot.h"
 
 #include "Views/VtkLook.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +15,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kUsualWidth = 1.5;
-constexpr double kWidest = 100.0;
 /// In pixels of the grid in which the boundary is traced: what its stairs are from the line.
 constexpr double kStairs = 0.55;
 
@@ -74,9 +69,7 @@ private:
 
 void MeshOutline::AddTo(CLI::App& command)
 {
-  const char* group = "Figure";
-  const AddedOption outlined = AddRead(
-    command, "--mesh-outline",
+  Bind(command, "--mesh-outline",
     [this](const std::string& text)
     {
       if (text != "boundary" && text != "box")
@@ -84,28 +77,9 @@ void MeshOutline::AddTo(CLI::App& command)
         Refuse("--mesh-outline", text, "boundary or box");
       }
       Kind = text == "box" ? Of::Box : Of::Boundary;
-    },
-    "[=boundary|box]",
-    "Draw where the mesh is: outlines and sharp edges of its boundary, or the edges of its box")
-                                 .Group(group);
-  AddNumber(command, "--mesh-outline-width", Width, "PIXELS",
-    fmt::format("The width of these lines (default: {})", kUsualWidth))
-    .Needs(outlined)
-    .Group(group);
-  AddNumbers(command, "--mesh-outline-color", Color, 3, "r,g,b",
-    "Their colour, 0 to 1 each (default: 0,0,0)")
-    .Needs(outlined)
-    .Group(group);
-}
-
-void MeshOutline::Check() const
-{
-  CheckColor("--mesh-outline-color", Color);
-  if (Width && !(*Width > 0.0 && *Width <= kWidest))
-  {
-    throw UsageError(
-      fmt::format("--mesh-outline-width: expected pixels above 0 and up to {}", kWidest));
-  }
+    });
+  Bind(command, "--mesh-outline-width", Width);
+  Bind(command, "--mesh-outline-color", Color);
 }
 
 Buffer MeshOutline::Needs() const
@@ -122,11 +96,6 @@ std::vector<Vec3> MeshOutline::Points(const Shot& shot) const
   }
   return Kind == Of::Boundary ? SeenPoints(BoundaryOf(shot), shot.view, shot.size)
                               : std::vector<Vec3>();
-}
-
-double MeshOutline::LineWidth() const
-{
-  return Width.value_or(kUsualWidth);
 }
 
 Rgba MeshOutline::LineColor() const

@@ -25,9 +25,6 @@ class MeshOutline
 {
 public:
   void AddTo(CLI::App& command);
-  /// Throws UsageError.
-  void Check() const;
-
   [[nodiscard]] bool IsAsked() const { return Kind != Of::Nothing; }
   /// The buffers of centres that Draw reads.
   [[nodiscard]] Buffer Needs() const;
@@ -38,7 +35,7 @@ public:
   /// The same lines in the picture's pixels. Throws as Draw.
   [[nodiscard]] std::vector<std::vector<CanvasPoint>> Paths(
     const Shot& shot, const Frame& frame) const;
-  [[nodiscard]] double LineWidth() const;
+  [[nodiscard]] double LineWidth() const { return Width; }
   [[nodiscard]] Rgba LineColor() const;
 
 private:
@@ -49,7 +46,7 @@ private:
     Boundary
   };
   Of Kind = Of::Nothing;
-  std::optional<double> Width;
+  double Width = 0.0;
   std::vector<double> Color{ 0.0, 0.0, 0.0 };
 };
 } // namespace pixelexact

@@ -5,16 +5,12 @@
 #include "Base/Output.h"
 #include "Drawing/ImageFile.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr double kLeastDpi = 10.0;
-constexpr double kMostDpi = 10000.0;
 constexpr int kSamplesOfFigures = 4;
 
 /// A file of another kind than its name says would mislead whoever opens it.
@@ -32,18 +28,10 @@ void RenderOptions::AddTo(CLI::App& command)
 {
   shot.input.mayBeAll = true;
   shot.AddTo(command);
-  AddRepeatedNumbers(command, "--clip", shot.clip, 6, "ox,oy,oz,nx,ny,nz",
-    "Cut away all that lies behind the plane through o with normal n; what n points to stays. Any "
-    "number of times")
-    .Group("Surfaces (any number of each)");
+  Bind(command, "--clip", shot.clip);
   contours.AddTo(command);
   debug.AddTo(command);
-  AddText(command, "-o,--output", output, "IMAGE",
-    "Image to write, by its suffix .png, .tif, .jpg, .svg or .pdf; - for a PNG on standard output "
-    "(default: "
-    "named "
-    "after the input, in the current folder; a file of that name is written over where pixelexact "
-    "made it)");
+  Bind(command, "--output", output);
   buffers.AddTo(command);
   lines.AddTo(command);
   figure.AddTo(command);
@@ -51,11 +39,7 @@ void RenderOptions::AddTo(CLI::App& command)
   outline.AddTo(command);
   animation.AddTo(command);
   knobs.AddTo(command, shot);
-  AddNumber(command, "--dpi", dpi, "N",
-    fmt::format("Pixels in an inch, for a --size in mm or in, and as the file tells (default of "
-                "such sizes: {})",
-      kUsualDpi))
-    .Group("Figure");
+  Bind(command, "--dpi", dpi);
 }
 
 std::optional<double> RenderOptions::Dpi() const
@@ -84,10 +68,6 @@ void RenderOptions::Check(const std::string& picture)
     throw UsageError(
       "--background none: a JPEG is not transparent; write .png, .tif, .svg or .pdf");
   }
-  if (dpi && !(*dpi >= kLeastDpi && *dpi <= kMostDpi))
-  {
-    throw UsageError(fmt::format("--dpi: expected a number from {} to {}", kLeastDpi, kMostDpi));
-  }
   animation.Check(shot.input);
   knobs.Check(*shot.command);
   if (!animation.IsAsked(shot.input))
@@ -96,7 +76,6 @@ void RenderOptions::Check(const std::string& picture)
   }
   shot.size = AtDpi(shot.size, Dpi().value_or(kUsualDpi));
   buffers.Check();
-  outline.Check();
   font.Check();
   const std::vector<LayerSettings> layers = shot.MakeLayers();
   debug.Check(shot.samples, layers);

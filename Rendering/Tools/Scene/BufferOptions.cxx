@@ -38,18 +38,9 @@ Buffer BufferNamed(const std::string& name)
 void BufferOptions::AddTo(CLI::App& added)
 {
   Command = &added;
-  const AddedOption file = AddText(added, "--buffers", TheFile, "OUT.vti",
-    "Also write what was found at each pixel, compressed: value, position, normal, xi, element, "
-    "depth, verdict, layer, colour, and with --contours Contour: 0 no contour goes through the "
-    "pixel, 1 one does, 2 undecided; - for standard output");
-  AddRead(
-    added, "--arrays", [this](const std::string& text) { Names = SplitAt(text, ','); }, "NAME,...",
-    "Of these only: " + Listed(ArrayNames()) +
-      " (Owners and Coverage with --owners, the bounds with --enclosures, Contour with --contours, "
-      "Jump with --show jumps; "
-      "Piece, Piece_u and Piece_v: the triangle, patch, face or part that is met, from 0, and "
-      "where on it; default: all there are but these three)")
-    .Needs(file);
+  Bind(added, "--buffers", TheFile);
+  Bind(added, "--arrays", [this](const std::string& text) { Names = SplitAt(text, ','); });
+  FillHelp(added, "--arrays", "arrays", Listed(ArrayNames()));
 }
 
 void BufferOptions::Check() const

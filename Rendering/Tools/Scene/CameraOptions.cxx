@@ -42,24 +42,12 @@ Vec3 ReadView(const std::string& text)
 
 void CameraOptions::AddTo(CLI::App& command)
 {
-  const char* group = "Camera (default: the whole data set, along the first surface's normal)";
-  AddedOption view = AddRead(
-    command, "--view", [this](const std::string& text) { From = ReadView(text); }, kViewForm,
-    "See the whole data set from there: from the side where x is largest, ..., or from (1, 1, 1)");
-  AddedOption position =
-    AddNumbers(command, "--camera-position", Position, 3, "x,y,z", "Where the camera stands");
-  AddedOption focus =
-    AddNumbers(command, "--focal-point", FocalPoint, 3, "x,y,z", "What it looks at");
-  AddNumbers(command, "--view-up", ViewUp, 3, "x,y,z", "What is up in the image").Group(group);
-  AddedOption angle = AddNumber(command, "--view-angle", ViewAngle, "DEGREES",
-    "Vertical angle of a perspective view (default: 30)");
-  AddedOption scale = AddNumber(command, "--parallel-scale", ParallelScale, "LENGTH",
-    "Parallel view; half of the image's height in world units");
-  view.Excludes(position).Group(group);
-  position.Needs(focus).Group(group);
-  focus.Needs(position).Group(group);
-  angle.Excludes(scale).Group(group);
-  scale.Group(group);
+  Bind(command, "--view", [this](const std::string& text) { From = ReadView(text); });
+  Bind(command, "--camera-position", Position);
+  Bind(command, "--focal-point", FocalPoint);
+  Bind(command, "--view-up", ViewUp);
+  Bind(command, "--view-angle", ViewAngle);
+  Bind(command, "--parallel-scale", ParallelScale);
 }
 
 void CameraOptions::Check() const

@@ -3,7 +3,6 @@
 
 #include "Base/Command.h"
 #include "Base/Nearest.h"
-#include "Base/Numbers.h"
 #include "Base/Options.h"
 #include "Base/Report.h"
 #include "Input/ColorMapFile.h"
@@ -12,7 +11,6 @@
 #include "Views/VtkColorMap.h"
 #include "Views/VtkLook.h"
 
-#include <fmt/ranges.h>
 #include <vtkLookupTable.h>
 
 #include <algorithm>
@@ -23,9 +21,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Colours of a table tell no more apart.
-constexpr int kMostBands = 256;
-
 std::array<double, 2> Log10(const std::array<double, 2>& range)
 {
   return { std::log10(range[0]), std::log10(range[1]) };
@@ -107,14 +102,6 @@ void CheckMap(const char* option, const std::string& map)
   }
 }
 
-void CheckColor(const char* option, const std::vector<double>& color)
-{
-  if (std::any_of(color.begin(), color.end(), [](double c) { return c < 0.0 || c > 1.0; }))
-  {
-    throw UsageError(std::string(option) + ": red, green and blue lie between 0 and 1");
-  }
-}
-
 void CheckLogarithm(const char* option, const RangeRule& range)
 {
   if (range.symmetric)
@@ -131,61 +118,19 @@ void CheckLogarithm(const char* option, const RangeRule& range)
 
 void ColorOptions::AddTo(CLI::App& command)
 {
-  const char* group = "Colours";
-  const AddedOption range = AddRead(
-    command, "--range",
-    [this](const std::string& text) { TheRange = ReadRange("--range", text, ','); },
-    "cut|field|symmetric|P%,Q%|a,b",
-    "Values of the colour map's ends: cut, those that the picture shows (default); field, a proven "
-    "enclosure of all values over the mesh; symmetric, as cut, and as far to both sides of 0 "
-    "(symmetric-field: as field); 1%,99%, percentiles of the values that the picture shows; or two "
-    "numbers; values beyond take the colours of the ends. Of an animation also all and "
-    "symmetric-all: as cut, of all its pictures")
-                              .Group(group);
-  const AddedOption map = AddText(command, "--colormap", Map,
-    fmt::format("{}|FILE", fmt::join(ColorMapNames(), "|")).c_str(),
-    "Colour map (default: viridis), or a file of ParaView's, .json or .xml, with :NAME behind it "
-    "where it holds several")
-                            .Group(group);
-  const AddedOption bands = AddRead(
-    command, "--bands",
-    [this](const std::string& text)
-    {
-      int count = 0;
-      if (!ParseInteger(text, count) || count < 2 || count > kMostBands)
-      {
-        Refuse("--bands", text, fmt::format("a whole number from 2 to {}", kMostBands));
-      }
-      TheBands = count;
-    },
-    "N", "So many steps of one colour each, equally wide, in the place of a smooth map")
-                              .Group(group);
-  const AddedOption log = AddFlag(command, "--log", Log,
-    "Colour by the logarithm of the value; values that have none get the colour of NaN")
-                            .Group(group);
-  const AddedOption nan = AddNumbers(command, "--nan-color", NanColor, 3, "r,g,b",
-    "Colour of values that are no numbers, 0 to 1 each (default: the map's)")
-                            .Group(group);
-  AddNumbers(command, "--color", Color, 3, "r,g,b",
-    "One colour in the place of the map's, 0 to 1 each (default where the input has no field: "
-    "0.6,0.7,0.8)")
-    .Excludes(range)
-    .Excludes(map)
-    .Excludes(log)
-    .Excludes(nan)
-    .Excludes(bands)
-    .Group(group);
-  AddRead(
-    command, "--background", [this](const std::string& text) { Background = ReadBackground(text); },
-    "white|black|none|r,g,b",
-    "Colour where there is nothing, 0 to 1 each (default: white); none: transparent")
-    .Group(group);
+  Bind(command, "--range",
+    [this](const std::string& text) { TheRange = ReadRange("--range", text, ','); });
+  Bind(command, "--colormap", Map);
+  Bind(command, "--bands", TheBands);
+  Bind(command, "--log", Log);
+  Bind(command, "--nan-color", NanColor);
+  Bind(command, "--color", Color);
+  Bind(command, "--background",
+    [this](const std::string& text) { Background = ReadBackground(text); });
 }
 
 void ColorOptions::Check() const
 {
-  CheckColor("--nan-color", NanColor);
-  CheckColor("--color", Color);
   if (Log)
   {
     CheckLogarithm("--range", TheRange);

@@ -62,9 +62,6 @@ private:
 /// be read.
 void CheckMap(const char* option, const std::string& map);
 
-/// Throws UsageError where an option's red, green or blue is not within 0 to 1.
-void CheckColor(const char* option, const std::vector<double>& color);
-
 /// Throws UsageError where a logarithm is asked for over a range that is not above 0.
 void CheckLogarithm(const char* option, const RangeRule& range);
 } // namespace pixelexact

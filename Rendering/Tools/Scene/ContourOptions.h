@@ -55,10 +55,11 @@ private:
 
   const CLI::App* Command = nullptr;
   std::optional<ContourRule> Choice;
-  std::optional<double> Width;
+  double Width = 0.0;
   ContourMethod Method;
-  std::optional<double> Effort;
-  std::optional<int> Subdivisions;
+  bool Interval = false; ///< --certifier interval
+  double Effort = 0.0;
+  int Subdivisions = 0;
   std::vector<Rgba> TheColors{ { 0, 0, 0, 255 } };
   bool ShowUndecided = false;
   std::vector<double> UndecidedColor{ 0.0, 0.5, 0.5 };

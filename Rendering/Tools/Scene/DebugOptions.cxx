@@ -64,32 +64,14 @@ std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
 void DebugOptions::AddTo(CLI::App& added)
 {
   Command = &added;
-  const char* group = "Soundness";
-  AddFlag(added, "--owners", Owners,
-    "Paint how often the mesh covers each pixel's point (" + TextOf(CoverageColors::Legend()) +
-      "); with --buffers also Owners and Coverage")
-    .Group(group);
-  AddChoice(
-    added, "--show", [this](const std::string& text) { Show = text; },
-    { "field", "validity", "jumps" },
-    "What is painted: the field (default); validity, the proven sign of the Jacobian "
-    "determinant of each pixel's element (" +
-      TextOf(ValidityColors::Legend()) +
-      "); or jumps, by how much the field differs between the elements of neighbouring pixels, "
-      "at the face between them (" +
-      TextOf(JumpColors::Legend()) + "; with --buffers also Jump)")
-    .Group(group);
-  AddFlag(added, "--enclosures", Enclosures,
-    "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
-    "with --buffers")
-    .Group(group);
-  const AddedOption painted = AddFlag(added, "--show-undecided", ShowUndecided,
-    "Paint pixels whose colour the enclosure of the value does not decide")
-                                .Group(group);
-  AddNumbers(added, "--undecided-color", UndecidedColor, 3, "r,g,b",
-    "Their colour, 0 to 1 each (default: 1,0,0.5)")
-    .Needs(painted)
-    .Group(group);
+  Bind(added, "--owners", Owners);
+  FillHelp(added, "--owners", "legend", TextOf(CoverageColors::Legend()));
+  Bind(added, "--show", [this](const std::string& text) { Show = text; });
+  FillHelp(added, "--show", "validity", TextOf(ValidityColors::Legend()));
+  FillHelp(added, "--show", "jumps", TextOf(JumpColors::Legend()));
+  Bind(added, "--enclosures", Enclosures);
+  Bind(added, "--show-undecided", ShowUndecided);
+  Bind(added, "--undecided-color", UndecidedColor);
 }
 
 void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) const
@@ -112,7 +94,6 @@ void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) 
   {
     CheckEffectsBeside(Owners ? "--owners" : "--show " + Show, *Command, layers);
   }
-  CheckColor("--undecided-color", UndecidedColor);
 }
 
 Buffer DebugOptions::Needs() const

@@ -2,7 +2,6 @@
 #include "Scene/Knobs.h"
 
 #include "Base/Command.h"
-#include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Scene/Shot.h"
 
@@ -20,33 +19,10 @@
 
 namespace pixelexact
 {
-namespace
-{
-constexpr int kMostStride = 64;
-} // namespace
-
 void KnobOptions::AddTo(CLI::App& command, ShotOptions& shot)
 {
-  const char* group = "Speed against accuracy";
-  AddInteger(command, "--stride", TheStride, 1, kMostStride, "N",
-    "Trace the middle pixel of each N x N alone; all of them show it (default: 1, each pixel)")
-    .Group(group);
-  AddRead(
-    command, "--truncate-order",
-    [&shot](const std::string& text)
-    {
-      int order = 0;
-      if (!ParseInteger(text, order) || order < 0 || order > kMaxOrder)
-      {
-        Refuse("--truncate-order", text, fmt::format("a whole number from 0 to {}", kMaxOrder));
-      }
-      shot.input.truncateOrder = order;
-    },
-    "P",
-    "Drop the modes of all fields above order P, of an orthogonal basis and element by element; "
-    "how "
-    "far values move at most is proven and told")
-    .Group(group);
+  Bind(command, "--stride", TheStride);
+  Bind(command, "--truncate-order", shot.input.truncateOrder);
 }
 
 void KnobOptions::Check(const CLI::App& command) const

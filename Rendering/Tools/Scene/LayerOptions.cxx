@@ -196,13 +196,7 @@ std::optional<int> ParseComponent(const std::string& text)
 
 void LayerOptions::AddTo(CLI::App& command)
 {
-  AddRepeated(
-    command, "--layer", [this](const std::string& text) { Texts.push_back(text); }, kLayerForm,
-    "Show surface N, counted from 1 in the order of their kinds here, in its own way: field=NAME, "
-    "component=magnitude|x|y|z|i, precision=double|float, opacity=0..1, colormap=NAME, "
-    "range=cut|field|a:b, "
-    "color=r:g:b, lights=on|off, contours=N|v1:v2:...|off")
-    .Group("Surfaces (any number of each)");
+  Bind(command, "--layer", [this](const std::string& text) { Texts.push_back(text); });
 }
 
 std::vector<LayerSettings> LayerOptions::Make(std::size_t surfaces) const

@@ -23,9 +23,6 @@ inline Vec3 VectorAt(const GivenNumbers& numbers, std::size_t first)
 struct QuadricKind
 {
   const char* name;
-  int count;
-  const char* form;
-  const char* what; ///< for the help: "Cut by ..."
   /// Throws Error for numbers of which there is none.
   Quadric (*make)(const GivenNumbers& numbers);
 };

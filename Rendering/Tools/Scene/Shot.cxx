@@ -14,7 +14,6 @@
 #include "Views/FittedView.h"
 #include "Views/VtkLook.h"
 
-#include <fmt/format.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -24,13 +23,12 @@
 
 namespace pixelexact
 {
-void ShotOptions::AddTo(CLI::App& added, bool required)
+void ShotOptions::AddTo(CLI::App& added)
 {
   command = &added;
-  input.AddTo(added, required);
-  AddField(added, field);
-  AddRead(
-    added, "--component",
+  input.AddTo(added);
+  Bind(added, "--field", field);
+  Bind(added, "--component",
     [this](const std::string& text)
     {
       component = ParseComponent(text);
@@ -38,48 +36,24 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
       {
         Refuse("--component", text, "'magnitude', x, y, z or a number from 0");
       }
-    },
-    "magnitude|x|y|z|i",
-    "Component of a vector field, by name or counted from 0, or its magnitude (default)");
-  AddSize(added, "--size", size,
-    "Size of the image in pixels (default: 1000x1000), or in mm or in, as 85x60mm");
-  AddChoice(
-    added, "--precision",
+    });
+  Bind(added, "--size", size);
+  Bind(added, "--precision",
     [this](const std::string& text)
-    { precision = text == "float" ? Precision::Float : Precision::Double; },
-    { "double", "float" },
-    "What values are computed in (default: double); what float costs is told");
+    { precision = text == "float" ? Precision::Float : Precision::Double; });
   surfaces.AddTo(added);
   layers.AddTo(added);
   camera.AddTo(added);
   colors.AddTo(added);
-  AddChoice(
-    added, "--lights",
+  Bind(added, "--lights",
     [this](const std::string& text)
-    { lights = text == "curved" ? Lit::Curved : (text == "on" ? Lit::On : Lit::Off); },
-    { "curved", "on", "off" },
-    "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
-  AddInteger(added, "--samples", samples, 1, 1024, "N",
-    "Samples in pixels that are not of one colour, for smooth edges (default: 1; 4 with --figure)");
-  const AddedOption edged = AddNumberIfAny(added, "--edges", edgeWidth,
-    { EdgeStyle().width, EdgeStyle::kNarrowest, EdgeStyle::kWidest }, "PIXELS",
-    fmt::format("Draw lines where the surface crosses from one element into another, of a width in "
-                "pixels, {} to {}",
-      EdgeStyle::kNarrowest, EdgeStyle::kWidest));
-  AddNumbers(
-    added, "--edge-color", edgeColor, 3, "r,g,b", "Their colour, 0 to 1 each (default: 0,0,0)")
-    .Needs(edged);
-  AddFlag(added, "--edges-by-kind", edgesByKind,
-    "Tell lines apart by what lies behind the face: another element's face (black), nothing "
-    "(blue), "
-    "faces of other sizes (orange), elements behind a part of it (purple)")
-    .Needs(edged);
-  const AddedOption drawn =
-    AddFlag(added, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet")
-      .Excludes(edged);
-  AddNumbers(added, "--outline-color", outlineColor, 3, "r,g,b",
-    "Their colour, 0 to 1 each (default: 0,0,0)")
-    .Needs(drawn);
+    { lights = text == "curved" ? Lit::Curved : (text == "on" ? Lit::On : Lit::Off); });
+  Bind(added, "--samples", samples);
+  Bind(added, "--edges", edgeWidth);
+  Bind(added, "--edge-color", edgeColor);
+  Bind(added, "--edges-by-kind", edgesByKind);
+  Bind(added, "--outlines", outlines);
+  Bind(added, "--outline-color", outlineColor);
 }
 
 namespace

@@ -59,8 +59,7 @@ struct ShotOptions
   /// empty: none.
   std::function<std::vector<Vec3>(const Shot&)> alsoSeen;
 
-  /// `required`: INPUT is.
-  void AddTo(CLI::App& added, bool required = true);
+  void AddTo(CLI::App& added);
 
   /// Throws UsageError where a range is that of all pictures, and there is one.
   void CheckRangeOfOne() const;

@@ -28,9 +28,6 @@ namespace
 struct Kind
 {
   const char* name;
-  int count;
-  const char* form;
-  std::string help;
   std::function<std::shared_ptr<const Surface>(const GivenNumbers& p)> make;
 };
 
@@ -40,22 +37,20 @@ const std::vector<Kind>& Kinds()
   static const std::vector<Kind> kinds = []
   {
     std::vector<Kind> all;
-    all.push_back({ "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
-      "Cut by the disc about c with normal n: the part of a plane within a circle",
-      [](const GivenNumbers& p)
-      { return std::make_shared<Disc>(VectorAt(p, 0), VectorAt(p, 3), p[6]); } });
+    all.push_back({ "--disc", [](const GivenNumbers& p) {
+                     return std::make_shared<Disc>(VectorAt(p, 0), VectorAt(p, 3), p[6]);
+                   } });
     for (const QuadricKind& kind : kQuadricKinds)
     {
-      all.push_back({ kind.name, kind.count, kind.form, std::string("Cut by ") + kind.what,
+      all.push_back({ kind.name,
         [make = kind.make](const GivenNumbers& p) { return std::make_shared<Quadric>(make(p)); } });
     }
-    all.push_back({ "--torus", 8, "cx,cy,cz,ax,ay,az,R,r",
-      "Cut by the torus about c with axis a, of radii R and r", [](const GivenNumbers& p) {
-        return std::make_shared<Torus>(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]);
-      } });
-    all.push_back({ "--box", 6, "x0,y0,z0,x1,y1,z1", "Cut by the faces of a box",
-      [](const GivenNumbers& p)
-      { return std::make_shared<ConvexBody>(MakeBox(VectorAt(p, 0), VectorAt(p, 3))); } });
+    all.push_back({ "--torus", [](const GivenNumbers& p) {
+                     return std::make_shared<Torus>(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]);
+                   } });
+    all.push_back({ "--box", [](const GivenNumbers& p) {
+                     return std::make_shared<ConvexBody>(MakeBox(VectorAt(p, 0), VectorAt(p, 3)));
+                   } });
     return all;
   }();
   return kinds;
@@ -88,49 +83,19 @@ GivenSurface OfMesh(const char* option, Make make)
 
 void SurfaceOptions::AddTo(CLI::App& command)
 {
-  const char* group = "Surfaces (any number of each)";
-  AddRepeated(
-    command, "--plane",
-    [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); },
-    PlaneChoice::kForm,
-    "Cut by the plane through o with normal n; or across x, y or z through the middle of the "
-    "mesh's "
-    "box, at a coordinate (z=0.2), or at a part of the box from its lower side (z=10%). Without "
-    "any "
-    "surface: through the middle, across the shortest side")
-    .Group(group);
+  Bind(command, "--plane",
+    [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); });
   for (const Kind& kind : Kinds())
   {
-    AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
-      .Group(group);
+    Bind(command, kind.name, Numbers[kind.name]);
   }
-  AddRepeated(
-    command, "--surface", [this](const std::string& file) { Files.push_back(file); }, "FILE",
-    "Cut by the triangles of a file (.vtp, .stl), as they are")
-    .Group(group);
-  AddRepeated(
-    command, "--patch", [this](const std::string& file) { Patches.push_back(file); }, "FILE",
-    "Cut by the bicubic Bezier patches of a text file: per patch 16 lines 'x y z', rows of u; what "
-    "stands behind a # counts nothing")
-    .Group(group);
-  AddedOption iso = AddRepeated(
-    command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
-    "FIELD=VALUE",
-    "Cut by the points where a field, or an expression of fields, has a value; of a vector field "
-    "its magnitude, or FIELD.COMPONENT=VALUE, x, y, z or counted from 0");
-  iso.Group(group);
-  AddRepeated(
-    command, "--boundary",
-    [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); },
-    "[=all|ATTRIBUTE,...|element:NUMBER,...]",
-    "Cut by the boundary of the mesh, by its parts with these attributes, or by all faces of these "
-    "elements")
-    .Group(group);
-  AddFlag(command, "--jump-walls", Walls,
-    "Cut, too, by the parts of faces between elements across which the field of an --isosurface "
-    "jumps from below its value to above: of each of them, in a colour of its own")
-    .Needs(iso)
-    .Group(group);
+  Bind(command, "--surface", [this](const std::string& file) { Files.push_back(file); });
+  Bind(command, "--patch", [this](const std::string& file) { Patches.push_back(file); });
+  Bind(
+    command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); });
+  Bind(command, "--boundary",
+    [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); });
+  Bind(command, "--jump-walls", Walls);
 }
 
 SurfaceOptions::Described SurfaceOptions::First() const

@@ -17,18 +17,9 @@ constexpr const char* kWith = "--with";
 
 void DifferenceOptions::AddTo(CLI::App& command)
 {
-  const char* group = "Two solutions";
-  const AddedOption with = AddWordGroups(command, kWith, Groups, "FILE...",
-    "Another solution, files as INPUT's: the difference INPUT less this one is shown, both "
-    "evaluated exactly at each pixel's point; fields alone go with INPUT's mesh. Given several "
-    "times: each, and how they converge to INPUT")
-                             .Group(group);
-  AddText(command, "--with-field", TheField, "NAME",
-    "Its field (default: of the same name, else its only one)")
-    .Needs(with)
-    .Group(group);
-  const AddedOption step = AddRead(
-    command, "--with-time-step",
+  Bind(command, "--with", Groups);
+  Bind(command, "--with-field", TheField);
+  Bind(command, "--with-time-step",
     [this](const std::string& text)
     {
       int number = 0;
@@ -37,19 +28,9 @@ void DifferenceOptions::AddTo(CLI::App& command)
         Refuse("--with-time-step", text, "the number of a step, counted from 0");
       }
       Step = number;
-    },
-    "N", "Its time step, counted from 0 (default: the first)")
-                             .Needs(with)
-                             .Group(group);
-  AddNumber(command, "--with-time", Time, "T", "Its time; of the steps the nearest one")
-    .Excludes(step)
-    .Needs(with)
-    .Group(group);
-  AddText(command, "--buffers", TheBuffers, "OUT.vti",
-    "Also write what was found at each pixel: the difference as Value with its bounds, First and "
-    "Second, and Side: 0 nothing, 1 both have a value, 2 unknown, 3 only INPUT, 4 only the other")
-    .Needs(with)
-    .Group(group);
+    });
+  Bind(command, "--with-time", Time);
+  Bind(command, "--buffers", TheBuffers);
   TheFigure.AddTo(command);
   TheFont.AddTo(command);
 }

@@ -20,9 +20,6 @@ class TradeOptions
 public:
   void AddTo(CLI::App& command);
 
-  /// Throws UsageError for what the command line alone shows to be wrong.
-  void Check() const;
-
   /// Of vtkHighOrderLinearCut, ascending. Where none were given, lower ones of surfaces that are no
   /// planes, for which a volume is sampled.
   [[nodiscard]] std::vector<int> Resolutions(bool ofPlane) const;
@@ -34,7 +31,7 @@ public:
   [[nodiscard]] int Repeat() const { return TheRepeat; }
   [[nodiscard]] int Bins() const { return TheBins; }
   /// Of the shown pixels, 0 to 1.
-  [[nodiscard]] double Share() const { return Percent.value_or(99.0) / 100.0; }
+  [[nodiscard]] double Share() const { return Percent / 100.0; }
   [[nodiscard]] bool OfNext() const { return Next; }
   [[nodiscard]] const std::string& Output() const { return TheOutput; }
   /// None: nothing is asked.
@@ -45,9 +42,9 @@ private:
   std::vector<int> TheGrids{ 16, 32, 64, 128 };
   std::optional<std::vector<int>> TheOrders;
   std::vector<int> TheLevels{ 0, 1, 2, 3 };
-  int TheRepeat = 3;
-  int TheBins = 256;
-  std::optional<double> Percent;
+  int TheRepeat = 0;
+  int TheBins = 0;
+  double Percent = 0.0;
   bool Next = false;
   std::optional<double> TargetError;
   std::optional<double> TargetTime;

@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes what is made from the table of settings, settings.json.
+
+    generate.py cxx OUT.inc             the rows of the tool's options, for Tools/Base/Settings.cxx
+    generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
+    generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
+    generate.py forwarders OUT.inc      the representation's functions that set these properties
+"""
+
+import math
+import pprint
+import re
+import sys
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+import settings
+
+BEGIN_CXX = "// By Rendering/Settings/generate.py from settings.json.\n"
+
+
+def cxx_string(text):
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def cxx_number(number):
+    if math.isinf(number):
+        return "kInfinity" if number > 0 else "-kInfinity"
+    return repr(float(number))
+
+
+def cxx_row(row):
+    kind = "".join(word.capitalize() for word in row["type"].split("-"))
+    default = row["default"]
+    is_number = isinstance(default, (int, float)) and not isinstance(default, bool)
+    lowest, highest = settings.limits_of(row)
+    vtk = [entry["property"] for entry in row["vtk"]]
+    texts = {
+        "names": row["option"], "commands": " ".join(row["commands"]),
+        "common": " ".join(row["common"]), "required": " ".join(row["required"]),
+        "group": row["group"], "form": row["form"], "help": row["help"],
+        "defaultText": settings.default_text(row), "expected": settings.expected_of(row),
+        "choices": " ".join(row["choices"]), "needs": " ".join(row["needs"]),
+        "excludes": " ".join(row["excludes"]),
+        "implied": settings.number_text(row["implied"]) if row["implied"] is not None else "",
+        "python": row["python"] or "", "vtk": " ".join(vtk), "layer": row["layer"] or "",
+    }
+    fields = {"type": f"SettingType::{kind}", "repeated": str(bool(row["repeated"])).lower()}
+    fields |= {name: cxx_string(text) for name, text in texts.items()}
+    fields["count"] = str(row["count"] or (3 if row["type"] == "color" else 0))
+    fields["lowest"], fields["highest"] = cxx_number(lowest), cxx_number(highest)
+    fields["initial"] = cxx_number(default) if is_number else "kNoNumber"
+    return "  { " + ",\n    ".join(f".{name} = {text}" for name, text in fields.items()) + " },\n"
+
+
+def write_cxx(out):
+    rows = [cxx_row(row) for row in settings.load() if row["option"]]
+    out.write_text(BEGIN_CXX + "".join(rows), encoding="utf-8")
+
+
+def write_python(out):
+    rows = {}
+    for row in settings.load():
+        if row["python"]:
+            lowest, highest = settings.limits_of(row)
+            numbers = row["type"] in ("integer", "number")
+            rows[row["python"]] = {
+                "type": row["type"], "help": row["python_help"], "choices": row["choices"],
+                "limits": (lowest, highest) if numbers and not math.isinf(lowest) else None,
+                "expected": settings.expected_of(row),
+            }
+    text = pprint.pformat(rows, width=100, sort_dicts=False)
+    out.write_text(
+        '"""The rows of settings.json that are keywords, by Rendering/Settings/generate.py."""\n\n'
+        "from __future__ import annotations\n\nfrom typing import Any\n\n"
+        f"ROWS: dict[str, dict[str, Any]] = {text}\n",
+        encoding="utf-8",
+    )
+
+
+def paraview_entries():
+    """The VTK properties that ParaView shows, by ParaView's name."""
+    entries = [entry for row in settings.load() for entry in row["vtk"] if entry.get("paraview")]
+    return {entry["paraview"]["name"]: entry for entry in entries}
+
+
+def xml_property(entry, indent):
+    """One property of a proxy."""
+    shown = entry["paraview"]
+    kinds = {"flag": "Int", "integer": "Int", "number": "Double", "color": "Double"}
+    kind = kinds[entry["type"]] + "VectorProperty"
+    defaults = entry["default"] if isinstance(entry["default"], list) else [entry["default"]]
+    attributes = {
+        "name": shown["name"], "label": shown["label"],
+        "command": "Set" + entry["property"].split(".")[1],
+        "number_of_elements": len(defaults),
+        "default_values": " ".join(settings.number_text(value) for value in defaults),
+    }
+    if shown["advanced"]:
+        attributes["panel_visibility"] = "advanced"
+    if entry["type"] == "color":
+        attributes["panel_widget"] = "color_selector"
+        domain = '<DoubleRangeDomain name="range" min="0 0 0" max="1 1 1" />'
+    elif entry["type"] == "flag":
+        domain = '<BooleanDomain name="bool" />'
+    else:
+        limits = [settings.number_text(entry[end]) for end in ("min", "max")]
+        domain = f'<{kinds[entry["type"]]}RangeDomain name="range" min="{limits[0]}" max="{limits[1]}" />'
+    between = "\n" + indent + " " * (len(kind) + 2)
+    words = between.join(f'{name}="{escape(str(value))}"' for name, value in attributes.items())
+    return (
+        f"{indent}<{kind} {words}>\n{indent}  {domain}\n"
+        f"{indent}  <Documentation>{escape(shown['help'])}</Documentation>\n{indent}</{kind}>\n"
+    )
+
+
+def write_xml(template, out):
+    entries = paraview_entries()
+
+    def filled(line):
+        return xml_property(entries.pop(line[2]), line[1])
+
+    text = re.sub(r'( *)<Setting name="(\w+)" />\n', filled, template.read_text(encoding="utf-8"))
+    if entries:
+        raise ValueError(f"{template} lacks the settings {sorted(entries)}")
+    out.write_text(text, encoding="utf-8")
+
+
+def forwarder(entry):
+    name = entry["property"].split(".")[1]
+    kinds = {"flag": "bool", "integer": "int", "number": "double"}
+    if entry["type"] == "color":
+        parameters, arguments = "double red, double green, double blue", "red, green, blue"
+    else:
+        parameters, arguments = kinds[entry["type"]] + " value", "value"
+    return (
+        f"void vtkPixelExactRepresentation::Set{name}({parameters})\n{{\n"
+        f"  this->Data->Mapper->Set{name}({arguments});\n}}\n"
+    )
+
+
+def write_forwarders(out):
+    # The count of contours also decides whether other processes are asked.
+    own = [entry for name, entry in paraview_entries().items() if name != "ContourCount"]
+    out.write_text(BEGIN_CXX + "\n".join(map(forwarder, own)), encoding="utf-8")
+
+
+def main(what, *files):
+    writers = {
+        "cxx": write_cxx, "python": write_python, "xml": write_xml, "forwarders": write_forwarders,
+    }
+    writers[what](*map(Path, files))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
