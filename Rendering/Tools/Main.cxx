@@ -3,6 +3,7 @@
 #include "Base/CommandWords.h"
 #include "Base/Completion.h"
 #include "Base/Defaults.h"
+#include "Base/Help.h"
 #include "Base/Options.h"
 #include "Base/Processes.h"
 #include "Base/Report.h"
@@ -28,7 +29,8 @@ constexpr int kWrongUsage = 2;
 
 constexpr const char* kFooter = R"(
 Exit status: 0 done, 1 the work failed, 2 wrong usage.
-pixelexact --completion bash|zsh|man prints a shell's completion, or the manual's page.
+pixelexact --completion bash|zsh|man|markdown prints a shell's completion, the manual's page, or the
+reference of options.
 
   pixelexact info toroid.vtu
   pixelexact render toroid.vtu --field u --plane 0,0,0,0,0,1 --output toroid.png
@@ -110,6 +112,7 @@ int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& c
 int Run(std::vector<std::string> words)
 {
   CLI::App program("Pixel-exact pictures of high-order finite-element fields.", "pixelexact");
+  pixelexact::AddHelp(program);
   program.set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
   program.require_subcommand(1);
   program.footer(kFooter);

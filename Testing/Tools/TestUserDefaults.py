@@ -139,8 +139,8 @@ class Completion(DefaultsTest):
     def test_every_option_of_the_help_is_there(self):
         bash, zsh, manual = [self.succeeds("--completion", what).stdout for what in ("bash", "zsh", "man")]
         for command in ["info", "probe", "render", "bench", "view"]:
-            for line in self.succeeds(command, "--help").stdout.splitlines():
-                name = line.strip().split(" ")[0].split(",")[-1].split("=")[0]
+            for line in self.succeeds(command, "--help-all").stdout.splitlines():
+                name = line.strip().split(" ")[0].split("[")[0].split(",")[-1]
                 if line.startswith("  -") and name.startswith("--"):
                     self.assertIn(name, bash)
                     self.assertIn(name, zsh)

@@ -2,6 +2,8 @@
 #include "Base/Completion.h"
 
 #include "Base/Command.h"
+#include "Base/Help.h"
+#include "Base/Manual.h"
 #include "Base/Options.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +23,6 @@ struct OptionFacts
   std::vector<std::string> names; ///< with their minus signs, the long one last
   std::string form;               ///< empty: a flag
   std::string help;
-  std::string group;
   std::vector<std::string> choices; ///< that the form names
   bool files = true;                ///< whether its value may name one
   bool joined = false;              ///< its value may be left out, and is joined by "="
@@ -50,7 +51,7 @@ std::vector<std::string> ChoicesIn(const std::string& form)
   return inner.find('|') == std::string::npos && !optional ? std::vector<std::string>() : choices;
 }
 
-OptionFacts FactsOf(const CLI::Option& option)
+OptionFacts FactsOf(const CLI::App& command, const CLI::Option& option)
 {
   OptionFacts facts;
   for (const std::string& name : option.get_snames())
@@ -62,8 +63,7 @@ OptionFacts FactsOf(const CLI::Option& option)
     facts.names.push_back("--" + name);
   }
   facts.form = option.get_items_expected_max() > 0 ? option.get_type_name() : std::string();
-  facts.help = option.get_description();
-  facts.group = option.get_group();
+  facts.help = DescriptionOf(command, option);
   facts.choices = ChoicesIn(facts.form);
   const std::vector<std::string> parts = SplitAt(facts.form, '|');
   facts.files = facts.choices.empty() || std::ranges::find(parts, "FILE") != parts.end();
@@ -77,11 +77,11 @@ std::vector<CommandFacts> CommandsOf(const CLI::App& program)
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
   {
     CommandFacts facts{ command->get_name(), command->get_description(), {} };
-    for (const CLI::Option* option : command->get_options())
+    for (const CLI::Option* option : OptionsInOrder(*command))
     {
       if (!option->get_positional())
       {
-        facts.options.push_back(FactsOf(*option));
+        facts.options.push_back(FactsOf(*command, *option));
       }
     }
     commands.push_back(std::move(facts));
@@ -129,11 +129,11 @@ _pixelexact()
 {{
   local cur=${{COMP_WORDS[COMP_CWORD]}} prev=${{COMP_WORDS[COMP_CWORD-1]}} options=
   if [[ $COMP_CWORD -eq 1 ]]; then
-    COMPREPLY=($(compgen -W "{} help --help --version --completion" -- "$cur"))
+    COMPREPLY=($(compgen -W "{} help --help --help-all --version --completion" -- "$cur"))
     return
   fi
   if [[ $prev == --completion ]]; then
-    COMPREPLY=($(compgen -W "bash zsh man" -- "$cur"))
+    COMPREPLY=($(compgen -W "bash zsh man markdown" -- "$cur"))
     return
   fi
   COMPREPLY=()
@@ -221,65 +221,6 @@ fi
 )",
     commands, cases);
 }
-
-/// As roff reads it.
-std::string ForRoff(const std::string& text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    escaped += c == '\\' ? std::string("\\e") : c == '-' ? std::string("\\-") : std::string(1, c);
-  }
-  return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
-}
-
-std::string Manual(const CLI::App& program)
-{
-  std::string text = fmt::format(R"(.TH PIXELEXACT 1 "" "PixelExact {}"
-.SH NAME
-pixelexact \- pixel-exact pictures of high-order finite-element fields
-.SH SYNOPSIS
-.B pixelexact
-.I COMMAND INPUT...
-.RI [ options ]
-.SH DESCRIPTION
-{}
-.SH FILES
-.TP
-.I ~/.config/pixelexact/config.json
-Options that the command line does not give: an object whose members are commands, or * for all of
-them, each with options without their minus signs.
-.SH ENVIRONMENT
-.TP
-.B PIXELEXACT_OPTIONS
-The same as words of a command line; they go before the file's.
-.SH EXIT STATUS
-0 done, 1 the work failed, 2 wrong usage.
-)",
-    PIXELEXACT_VERSION, ForRoff(program.get_description()));
-  for (const CommandFacts& command : CommandsOf(program))
-  {
-    text += fmt::format(".SH \"pixelexact {}\"\n{}.\n", command.name, ForRoff(command.help));
-    std::string group;
-    for (const OptionFacts& option : command.options)
-    {
-      if (option.group != group)
-      {
-        group = option.group;
-        text += fmt::format(".SS \"{}\"\n", ForRoff(group));
-      }
-      std::string names;
-      for (const std::string& name : option.names)
-      {
-        names += (names.empty() ? "" : ", ") + ForRoff(name);
-      }
-      const bool joined = option.form.starts_with("[=");
-      text += fmt::format(".TP\n.BI \"{}\" \"{}{}\"\n{}\n", names,
-        option.form.empty() || joined ? "" : " ", ForRoff(option.form), ForRoff(option.help));
-    }
-  }
-  return text;
-}
 } // namespace
 
 std::string GeneratedText(const CLI::App& program, const std::string& what)
@@ -294,8 +235,13 @@ std::string GeneratedText(const CLI::App& program, const std::string& what)
   }
   if (what == "man")
   {
-    return Manual(program);
+    return ManualPage(program);
   }
-  throw UsageError("--completion: there is none for '" + what + "'; there are bash, zsh and man");
+  if (what == "markdown")
+  {
+    return OptionsPage(program);
+  }
+  throw UsageError(
+    "--completion: there is none for '" + what + "'; there are bash, zsh, man and markdown");
 }
 } // namespace pixelexact

@@ -8,10 +8,10 @@ namespace CLI
 class App;
 } // namespace CLI
 
-// Texts that are made of the options that there are.
+// Texts that are generated from the options.
 namespace pixelexact
 {
-/// The completion of a shell, "bash" or "zsh", or the manual's page, "man". Throws UsageError for
-/// another name.
+/// The completion of a shell, "bash" or "zsh", the manual's page, "man", or the reference of
+/// options, "markdown". Throws UsageError for another name.
 std::string GeneratedText(const CLI::App& program, const std::string& what);
 } // namespace pixelexact

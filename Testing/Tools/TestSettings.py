@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The table of settings, and what is made from it: the help and the reference of options."""
+
+import fcntl
+import os
+import pty
+import re
+import struct
+import subprocess
+import sys
+import termios
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from tool import DATA, MIDDLE, TOOL, ToolTest, case
+
+ROOT = DATA.parent
+sys.path.insert(0, str(ROOT / "Rendering" / "Settings"))
+import settings  # noqa: E402
+
+PAGE = ROOT / "Module" / "Documentation" / "options.md"
+COMMANDS = ["info", "probe", "render", "bench", "compare", "integrate", "view"]
+
+
+def options_in(text):
+    """The long names of the options that a help lists."""
+    return re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]+)", text, re.MULTILINE)
+
+
+class Help(ToolTest):
+    def test_short_help_has_the_common_options(self):
+        for command in COMMANDS:
+            rows = [row for row in settings.load() if command in row["common"]]
+            text = self.succeeds(command, "--help").stdout
+            common = [settings.name_of(row) for row in rows if row["option"] != "INPUT"]
+            self.assertEqual(options_in(text), common)
+            self.assertLessEqual(len(common), 14)
+            self.assertIn(f"pixelexact {command} --help-all", text.splitlines()[-1])
+        self.assertIn("--help-all", self.succeeds("--help").stdout.splitlines()[-1])
+
+    def test_whole_help_has_all_options_by_group(self):
+        program = self.succeeds("--help-all").stdout
+        for command in COMMANDS:
+            text = self.succeeds(command, "--help-all").stdout
+            rows = [row for row in settings.load() if command in row["commands"] and row["option"]]
+            own = [settings.name_of(row) for row in rows if row["option"] != "INPUT"]
+            self.assertEqual(options_in(text), own + ["--help", "--help-all", "--version"])
+            groups = re.findall(r"^(\w.*):$", text, re.MULTILINE)
+            self.assertEqual(len(groups), len(set(groups)))
+            self.assertIn(text.split("\n", 1)[1], program)
+
+    def check_width(self, text, width):
+        lines = text.splitlines()
+        for line in lines:
+            # A form, or a word, that is longer than the line stays whole.
+            self.assertTrue(len(line) <= width or " " not in line.strip() or line.startswith("  -"), line)
+        self.assertGreater(max(map(len, lines)), width - 12)
+
+    def test_columns(self):
+        for width in (60, 132):
+            with mock.patch.dict(os.environ, {"COLUMNS": str(width)}):
+                self.check_width(self.succeeds("render", "--help-all").stdout, width)
+        with mock.patch.dict(os.environ, {"COLUMNS": ""}):
+            self.check_width(self.succeeds("render", "--help-all").stdout, 100)
+
+    def test_the_width_of_a_terminal(self):
+        parent, child = pty.openpty()
+        fcntl.ioctl(child, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 72, 0, 0))
+        environment = {name: value for name, value in os.environ.items() if name != "COLUMNS"}
+        with subprocess.Popen([TOOL, "info", "--help"], stdout=child, env=environment):
+            os.close(child)
+            text = ""
+            while True:
+                try:
+                    part = os.read(parent, 4096)
+                except OSError:  # the other end is closed
+                    break
+                if not part:
+                    break
+                text += part.decode()
+        os.close(parent)
+        self.check_width(text.replace("\r", ""), 72)
+
+
+class Table(ToolTest):
+    def test_the_reference_of_options(self):
+        """Where it fails: pixelexact --completion markdown > Module/Documentation/options.md."""
+        page = self.succeeds("--completion", "markdown").stdout
+        self.assertEqual(PAGE.read_text(encoding="utf-8"), page)
+        self.assertNotRegex(page, r"\{\w+\}")
+
+    def test_keys_of_layers(self):
+        done = self.fails(2, "render", case("escher_tet_g3_p3"), *MIDDLE, "--layer", "1:what=0")
+        listed = re.search(r"is none of (.*), each with", done.stderr)[1].split(", ")
+        self.assertEqual(sorted(listed), sorted(row["layer"] for row in settings.load() if row["layer"]))
+
+    def test_names_of_colour_maps(self):
+        done = self.fails(2, "render", case("escher_tet_g3_p3"), *MIDDLE, "--colormap", "what")
+        row = next(row for row in settings.load() if row["option"] == "--colormap")
+        self.assertIn("there are " + ", ".join(row["choices"]) + ",", done.stderr)
+
+    def test_limits_are_refused_by_the_words_of_the_table(self):
+        for row in settings.load():
+            low, high = settings.limits_of(row)
+            if row["type"] not in ("integer", "number", "number-if-any") or not row["option"]:
+                continue
+            name, command = settings.name_of(row), row["commands"][0]
+            for value in ("nan", *[limit for limit in (low - 1, high + 1) if abs(limit) < 1e300]):
+                text = str(value) if isinstance(value, str) else settings.number_text(value)
+                done = self.fails(2, command, "missing.vtu", f"{name}={text}", names=[name])
+                self.assertIn(settings.expected_of(row), done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
