@@ -35,6 +35,15 @@ foreach(source IN LISTS sources)
   list(APPEND package_files "${package_folder}/${source}")
 endforeach()
 
+set(settings "${PROJECT_SOURCE_DIR}/Rendering/Settings")
+add_custom_command(
+  OUTPUT "${package_folder}/_setting_rows.py"
+  COMMAND "${Python3_EXECUTABLE}" -B "${settings}/generate.py" python
+    "${package_folder}/_setting_rows.py"
+  DEPENDS "${settings}/generate.py" "${settings}/settings.py" "${settings}/settings.json"
+  VERBATIM)
+list(APPEND package_files "${package_folder}/_setting_rows.py")
+
 Python3_add_library(PixelExactRun MODULE "${PROJECT_SOURCE_DIR}/Rendering/Python/Run.cxx")
 set_target_properties(PixelExactRun PROPERTIES
   OUTPUT_NAME _run

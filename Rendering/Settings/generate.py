@@ -64,10 +64,10 @@ def write_python(out):
     for row in settings.load():
         if row["python"]:
             lowest, highest = settings.limits_of(row)
-            numbers = row["type"] in ("integer", "number")
+            is_number = row["type"] in ("integer", "number")
             rows[row["python"]] = {
                 "type": row["type"], "help": row["python_help"], "choices": row["choices"],
-                "limits": (lowest, highest) if numbers and not math.isinf(lowest) else None,
+                "limits": (lowest, highest) if is_number else None,
                 "expected": settings.expected_of(row),
             }
     text = pprint.pformat(rows, width=100, sort_dicts=False)

@@ -76,8 +76,12 @@ def limits_of(row):
 
 
 def expected_of(row):
-    """What a value must be, as messages state it."""
+    """What a value must be, as messages state it; empty for values that only a function reads."""
     lowest, highest = row["min"], row["max"]
+    if row["type"] == "flag":
+        return "True or False"
+    if row["type"] not in ("choice", "integer", "integers", "number", "number-if-any"):
+        return ""
     if row["type"] == "choice":
         return "one of " + ", ".join(row["choices"])
     if row["type"] in ("integer", "integers"):

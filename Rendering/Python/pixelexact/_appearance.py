@@ -19,7 +19,6 @@ _LIMITS = (
     "clim: 'cut', 'field', 'symmetric', 'symmetric-field', percentages as '1%,99%', or "
     "(lowest, highest)"
 )
-_LIGHTS = ("curved", "on", "off")
 
 
 def color_of(color: Color, what: str) -> list[float]:
@@ -93,8 +92,6 @@ def set_colors(
 
 def set_lights(mapper: Any, actor: Any, lights: str) -> None:
     """On which surfaces a light shines."""
-    if lights not in _LIGHTS:
-        raise ValueError(f"lights: one of {', '.join(map(repr, _LIGHTS))}, not {lights!r}")
     actor.GetProperty().SetLighting(lights != "off")
     mapper.SetLightFlat(lights == "on")
 

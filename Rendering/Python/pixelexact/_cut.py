@@ -29,6 +29,7 @@ from ._scene import (
     source_of,
     surface_of,
 )
+from ._settings import check, documented
 from ._work import Error, Progress, errors_of
 from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
 
@@ -78,6 +79,7 @@ def _bar_of(mapper: Any, title: str) -> Any:
     return bar
 
 
+@documented
 def cut(
     grid: Any,
     field: Optional[FieldName] = None,
@@ -115,26 +117,20 @@ def cut(
         the axis, or None: the middle of the box. surface instead: a vtkImplicitFunction, a
         vtkHighOrderSurface (boundary, iso-surface, patches), or a function that takes points (n, 3)
         and is 0 on the surface.
-    component: of vectors: None or "magnitude", "x", "y", "z", a number from 0.
-    clim: "cut" (None): of what a view shows, found anew for each view; "field": proven to hold all
-        values of the field over the mesh, the same from wherever one looks; "symmetric" and
-        "symmetric-field": as far to both sides of 0; "1%,99%": percentiles; (low, high).
-    cmap: viridis, inferno, plasma, coolwarm, jet, rainbow, grayscale, or a vtkScalarsToColors. log:
-        colours by the logarithm of the value. color: (r, g, b) from 0 to 1 in the place of the map's.
-    lights: "curved": a light from the eye shines on curved surfaces; "on": on all; "off": on none.
-        samples: samples in pixels that are not of one colour.
-    contours: how many, so many round values strictly inside the range of the colours; or a list
-        of values ([1] is the value 1). contour_width: pixels. contour_color: (r, g, b), or "map": the
-        value's. contour_labels: True or the height of letters in pixels. contours_only: without the
-        colours of the surface.
-    edges: lines between elements, True (1.5 pixels) or their width in pixels. edge_color: (r, g, b).
-        edges_by_kind: by what lies behind the face. outlines: paint the pixels in which elements meet,
-        in outline_color.
-    clip: planes, each six numbers (a point and a normal) or a vtkPlane; what the normals point to
-        stays.
+    {settings}
 
     Raises Error, TypeError or ValueError, which name what is wrong.
     """
+    check(
+        log=log,
+        lights=lights,
+        samples=samples,
+        contour_width=contour_width,
+        contours_only=contours_only,
+        edges_by_kind=edges_by_kind,
+        outlines=outlines,
+        opacity=opacity,
+    )
     source = source_of(grid, progress)
     name = field_of(source, field)
     mapper = vtkHighOrderMapper()
@@ -158,8 +154,6 @@ def cut(
         mapper, contours, contour_width, contour_color, contour_labels, contours_only
     )
     set_clip(mapper, clip)
-    if not 1 <= samples <= 1024:
-        raise ValueError(f"samples: from 1 to 1024, not {samples!r}")
     mapper.SetSamples(samples)
     bar = _bar_of(mapper, name or (_fields_of(source) or [""])[0])
     return Cut(actor, bar, mapper, shape)

@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from ._pickling import camera_of_state, image_of_state, state_of_camera, state_of_image
 from ._read import Path
 from ._scene import Vector, asks_python, normal_of
+from ._settings import check
 from ._work import Error, Progress, run
 from .PixelExactRendering import vtkHighOrderPicture
 
@@ -285,8 +286,7 @@ def _trace(
     progress: Progress,
     stride: int = 1,
 ) -> Any:
-    if not 1 <= stride <= 64:
-        raise ValueError(f"stride: from 1 to 64, not {stride!r}")
+    check(stride=stride)
     width, height = _pixels_of(size)
     if camera is not None and view is not None:
         raise ValueError("view and camera are two ways to say the same: leave one out")

@@ -9,9 +9,11 @@ from ._expressions import FieldName
 from ._picture import Picture, picture_of
 from ._read import Path
 from ._scene import Vector
+from ._settings import documented
 from ._work import Progress
 
 
+@documented
 def render(
     grid: Any,
     field: Optional[FieldName] = None,
@@ -28,12 +30,9 @@ def render(
 ) -> Picture:
     """A picture of a cut, traced without a window, a display or OpenGL, and what is known of it.
 
-    grid, field, options: as of cut. size: pixels across and up. view: from where, "x", "-z", "iso",
-    or a direction from the mesh to the viewer; None: along a plane's normal, else "iso". camera: a
-    vtkCamera instead. background: "white", "black", (r, g, b), or None: transparent. output: a .png
-    file, or a .vti with all buffers. buffers: whether all that is known of the pixels is kept; without
-    it positions, verdicts and values alone. stride: above 1 the middle one of each stride x stride
-    pixels is traced, and all of them show it; without contours and edges.
+    grid, field, options: as of cut.
+    camera: a vtkCamera, instead of view.
+    {settings}
 
     progress: a function of the part that is done; what it raises, and KeyboardInterrupt, end the
     work. Other threads of Python run meanwhile, unless the surface is a function of Python.
