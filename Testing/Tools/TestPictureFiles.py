@@ -86,6 +86,18 @@ class Files(FileTest):
             # Letters and edges blur.
             self.assertLess(np.abs(pixels - png).mean(), 3.0)
 
+    def test_quality_of_jpeg(self):
+        base = ["--size", "300x240", "--figure"]
+        bytes_of = {quality: self.render("a.jpg", *base, "--jpeg-quality", quality).read_bytes()
+                    for quality in (10, 95)}
+        comment = bytes_of[95].index(b"\xff\xfe")
+        self.assertLess(len(bytes_of[10]), len(bytes_of[95]) / 2)
+        usual = self.render("a.jpg", *base).read_bytes()
+        self.assertEqual(usual[:comment], bytes_of[95][:comment])
+        self.assertEqual(usual[-1000:], bytes_of[95][-1000:])
+        self.fails(2, "render", self.cube, "-o", self.folder / "a.png", "--jpeg-quality", 50,
+            names=["--jpeg-quality", ".jpg"])
+
     def test_other_suffixes(self):
         for name in ["a.gif", "a", "a.png.txt", "a.bmp"]:
             self.fails(2, "render", self.cube, "-o", self.folder / name, names=["--output", ".tif"])

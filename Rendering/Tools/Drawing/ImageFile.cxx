@@ -43,7 +43,6 @@ constexpr std::array kSuffixes{ Suffix{ ".png", PictureFormat::Png },
   Suffix{ ".svg", PictureFormat::Svg }, Suffix{ ".pdf", PictureFormat::Pdf } };
 
 constexpr double kInchesPerMetre = 1.0 / 0.0254;
-constexpr int kJpegQuality = 95;
 
 vtkSmartPointer<vtkImageData> ToVtk(const Image& image)
 {
@@ -112,7 +111,7 @@ std::string EncodePng(const Image& image, const PictureFacts& facts, const std::
 std::string EncodeJpeg(const Image& image, const PictureFacts& facts, const std::string& file)
 {
   vtkNew<vtkJPEGWriter> writer;
-  writer->SetQuality(kJpegQuality);
+  writer->SetQuality(facts.jpegQuality);
   std::string bytes = WriteToMemory(*writer, image, file);
   // The segment JFIF, which comes first, has units and density at its bytes 11 to 16 (ITU-T T.871,
   // 10.1).

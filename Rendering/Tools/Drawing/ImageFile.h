@@ -30,9 +30,10 @@ struct PictureFacts
 {
   std::optional<double> dpi; ///< pixels in an inch; none: not told
   PictureTexts texts;
+  int jpegQuality = 95; ///< 1 to 100
 };
 
-/// The bytes of a PNG, TIFF or JPEG. PNG and TIFF keep every pixel as it is; JPEG, of quality 95,
+/// The bytes of a PNG, TIFF or JPEG. PNG and TIFF keep every pixel as it is; JPEG
 /// does not, and has no alpha. `file`: for messages. Throws Error where it cannot be made.
 std::string EncodeImage(
   const Image& image, PictureFormat format, const PictureFacts& facts, const std::string& file);

@@ -19,7 +19,7 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   const std::string& file, const RepeatedCommand& command, Stopwatch& watch,
   const PictureTexts& told)
 {
-  PictureFacts facts{ options.Dpi(), told };
+  PictureFacts facts{ options.Dpi(), told, options.jpegQuality };
   // Whoever gets the file is to know, whatever else it tells.
   if (const auto given = drawn.WhatIsFound().knobs.Texts(); !given.empty())
   {

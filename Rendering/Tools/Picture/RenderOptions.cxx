@@ -40,6 +40,7 @@ void RenderOptions::AddTo(CLI::App& command)
   animation.AddTo(command);
   knobs.AddTo(command, shot);
   Bind(command, "--dpi", dpi);
+  Bind(command, "--jpeg-quality", jpegQuality);
 }
 
 std::optional<double> RenderOptions::Dpi() const
@@ -67,6 +68,10 @@ void RenderOptions::Check(const std::string& picture)
   {
     throw UsageError(
       "--background none: a JPEG is not transparent; write .png, .tif, .svg or .pdf");
+  }
+  if (format != PictureFormat::Jpeg && IsGiven(*shot.command, "--jpeg-quality"))
+  {
+    throw UsageError("--jpeg-quality has no effect on '" + picture + "'; name a .jpg");
   }
   animation.Check(shot.input);
   knobs.Check(*shot.command);

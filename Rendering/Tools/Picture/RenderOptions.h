@@ -31,6 +31,7 @@ struct RenderOptions
   AnimationOptions animation;
   KnobOptions knobs;
   std::optional<double> dpi;
+  int jpegQuality = 0;
   std::string output;
 
   void AddTo(CLI::App& command);
