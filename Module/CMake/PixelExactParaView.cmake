@@ -6,6 +6,20 @@ set(PIXELEXACT_PARAVIEW_MODULES
   PixelExact::PixelExactParaViewFilters
   PixelExact::PixelExactParaView)
 
+# pixelexact_generate_settings(WHAT FILES...)
+#
+# Writes a file by Rendering/Settings/generate.py, when the build folder is configured and again
+# where the table or a template changes.
+function(pixelexact_generate_settings what)
+  set(settings "${PROJECT_SOURCE_DIR}/Rendering/Settings")
+  list(POP_BACK ARGN out)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    "${settings}/generate.py" "${settings}/settings.py" "${settings}/settings.json" ${ARGN})
+  execute_process(
+    COMMAND "${Python3_EXECUTABLE}" -B "${settings}/generate.py" ${what} ${ARGN} "${out}"
+    COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
 paraview_plugin_scan(
   PLUGIN_FILES "${PROJECT_SOURCE_DIR}/ParaView/paraview.plugin"
   PROVIDES_PLUGINS plugins

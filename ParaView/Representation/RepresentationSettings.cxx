@@ -103,6 +103,10 @@ void vtkPixelExactRepresentation::SetValueUnderPointer(bool show)
 }
 
 //------------------------------------------------------------------------------
+// Settings that the mapper takes as they are, by Rendering/Settings/generate.py.
+#include "SettingForwarders.inc"
+
+//------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetContourValue(int i, double value)
 {
   this->Data->Mapper->SetContourValue(i, value);
@@ -125,72 +129,12 @@ void vtkPixelExactRepresentation::SetContourCount(int count)
 }
 
 //------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContourWidth(double width)
-{
-  this->Data->Mapper->SetContourWidth(width);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContourColor(double red, double green, double blue)
-{
-  this->Data->Mapper->SetContourColor(red, green, blue);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContourScalarVisibility(bool visible)
-{
-  this->Data->Mapper->SetContourScalarVisibility(visible);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContourLabels(bool labels)
-{
-  this->Data->Mapper->SetContourLabels(labels);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContourLabelSize(int size)
-{
-  this->Data->Mapper->SetContourLabelSize(size);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContoursOnly(bool only)
-{
-  this->Data->Mapper->SetContoursOnly(only);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetContourInterior(bool interior)
-{
-  this->Data->Mapper->SetContourInterior(interior);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetEdgesByKind(bool byKind)
-{
-  this->Data->Mapper->SetEdgesByKind(byKind);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetSamples(int samples)
-{
-  this->Data->Mapper->SetSamples(samples);
-}
-
-//------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::AskOthersAgain(bool hadLines)
 {
   if (this->Data->HasLines() != hadLines && Internals::HasSeveralProcesses())
   {
     this->MarkModified();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::SetLightFlat(bool light)
-{
-  this->Data->Mapper->SetLightFlat(light);
 }
 
 //------------------------------------------------------------------------------

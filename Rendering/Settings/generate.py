@@ -141,9 +141,8 @@ def forwarder(entry):
 
 
 def write_forwarders(out):
-    # The count of contours also decides whether other processes are asked.
-    own = [entry for name, entry in paraview_entries().items() if name != "ContourCount"]
-    out.write_text(BEGIN_CXX + "\n".join(map(forwarder, own)), encoding="utf-8")
+    plain = [entry for entry in paraview_entries().values() if not entry["paraview"]["written"]]
+    out.write_text(BEGIN_CXX + "\n".join(map(forwarder, plain)), encoding="utf-8")
 
 
 def main(what, *files):

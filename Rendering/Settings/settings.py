@@ -35,7 +35,7 @@ KEYS = {
     "help", "layer", "vtk", "python", "python_default", "python_help",
 }
 VTK_KEYS = {"property", "type", "min", "max", "default", "paraview"}
-PARAVIEW_KEYS = {"name", "label", "advanced", "help"}
+PARAVIEW_KEYS = {"name", "label", "advanced", "help", "written"}
 
 
 def load(path=TABLE):
@@ -151,6 +151,7 @@ def _complete_vtk(row, entry):
         own["paraview"] = {
             "name": name, "label": paraview.get("label", spaced),
             "advanced": paraview.get("advanced", False),
+            "written": paraview.get("written", False),  # the representation has code of its own
             "help": paraview.get("help") or _filled(row["help"], row),
         }
     return own
