@@ -100,6 +100,8 @@ def expected_of(row):
 def default_text(row):
     """The default as the help shows it; empty where there is none."""
     default = row["default"]
+    if row["implied"] is not None:
+        return f"{number_text(row['implied'])} where the number is left out"
     if default is None:
         return ""
     if isinstance(default, (int, float)):

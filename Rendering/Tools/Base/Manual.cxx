@@ -135,7 +135,7 @@ std::string OptionsPage(const CLI::App& program)
     {
       group = row.group;
       commands = row.commands;
-      text += fmt::format("\n## {}\n\nOf {}.\n\n", group, CommandsOfRow(row));
+      text += fmt::format("\n## {}\n\nCommands: {}.\n\n", group, CommandsOfRow(row));
     }
     text += ItemOf(program, row, commands);
   }
