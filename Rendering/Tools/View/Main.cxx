@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Command.h"
 #include "Base/CommandWords.h"
+#include "Base/Help.h"
 #include "Base/Options.h"
 #include "Base/Report.h"
 #include "Commands/ViewCommand.h"
@@ -31,6 +32,7 @@ int Fail(int status, const std::string& message)
 int Run(const std::vector<std::string>& words)
 {
   CLI::App program("The window of pixelexact view.", "pixelexact-view");
+  AddHelp(program);
   program.set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
   program.require_subcommand(1);
   CommonOptions common;
