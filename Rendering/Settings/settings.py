@@ -2,8 +2,8 @@
 """Reads the table of settings, settings.json.
 
 load() gives its rows with all that the table states once for several rows filled in. A row that
-contradicts itself or has an unknown key is a ValueError.
-Module/Documentation/how-to-add-a-setting.md explains the keys of a row.
+contradicts itself or has an unknown key is a ValueError. KEYS explains the keys of a row, and
+Module/Documentation/how-to-add-a-setting.md shows one.
 """
 
 import json
@@ -30,12 +30,39 @@ FORMS = {
     "read": None,
 }
 KEYS = {
-    "option", "type", "commands", "common", "required", "group", "repeated", "count", "choices",
-    "form", "unit", "min", "max", "above", "default", "default_note", "implied", "needs", "excludes",
-    "help", "layer", "vtk", "python", "python_default", "python_help",
+    "option": "names on the command line, the long one last; none: the row is no option",
+    "type": "one of FORMS; `read` is a form of its own, which a function of the program reads",
+    "commands": "a list of commands, or the name of a set; else those of the row's group",
+    "common": "true, or commands, in whose --help the option is shown",
+    "required": "true, or commands that need the option",
+    "group": "filled in: the title of the row's group",
+    "repeated": "whether the option may be given any number of times",
+    "count": "how many numbers a value of type `numbers` has",
+    "choices": "the words of a choice",
+    "form": "what the help shows for the value",
+    "unit": "the unit of a number, which is then its form",
+    "min": "the smallest number", "max": "the largest number", "above": "an open lower limit",
+    "default": "a number, a list, a word, or a text about the default",
+    "default_note": "an exception to the default",
+    "implied": "the number of a `number-if-any` where it is left out",
+    "needs": "options without which this one is refused",
+    "excludes": "options with which it is refused",
+    "help": "one or two sentences; {min}, {max}, {implied} and what FillHelp (Tools/Base) fills in",
+    "layer": "the key of --layer",
+    "vtk": "properties of VTK's classes: \"Class.Property\", or an object of VTK_KEYS",
+    "python": "the keyword of pixelexact.cut or render",
+    "python_default": "its default, where it differs from the option's",
+    "python_help": "its text in the docstring, where it differs from the help",
 }
+# `type`, `min`, `max` and `default` are the row's where an entry has none.
 VTK_KEYS = {"property", "type", "min", "max", "default", "paraview"}
-PARAVIEW_KEYS = {"name", "label", "advanced", "help", "written"}
+PARAVIEW_KEYS = {
+    "name": "the name of ParaView's property; else VTK's",
+    "label": "its label; else the name in words",
+    "advanced": "whether only the advanced panel shows it",
+    "help": "its documentation; else the row's help",
+    "written": "whether the representation's function is written by hand",
+}
 
 
 def load(path=TABLE):
@@ -112,7 +139,7 @@ def default_text(row):
 
 
 def _complete(given, sets):
-    unknown = set(given) - KEYS
+    unknown = set(given) - set(KEYS)
     row = {**dict.fromkeys(KEYS), **given}
     where = row["option"] or row["python"]
     if unknown or row["type"] not in FORMS or not row["help"]:
@@ -142,7 +169,7 @@ def _commands(names, sets):
 def _complete_vtk(row, entry):
     given = {"property": entry} if isinstance(entry, str) else entry
     paraview = given.get("paraview")
-    if set(given) - VTK_KEYS or set(paraview or {}) - PARAVIEW_KEYS:
+    if set(given) - VTK_KEYS or set(paraview or {}) - set(PARAVIEW_KEYS):
         raise ValueError(f"{given['property']}: unknown keys")
     own = {key: row[key] for key in ("type", "min", "max", "default")} | given
     if own["type"] == "flag" and own["default"] is not True:
@@ -153,7 +180,7 @@ def _complete_vtk(row, entry):
         own["paraview"] = {
             "name": name, "label": paraview.get("label", spaced),
             "advanced": paraview.get("advanced", False),
-            "written": paraview.get("written", False),  # the representation has code of its own
+            "written": paraview.get("written", False),
             "help": paraview.get("help") or _filled(row["help"], row),
         }
     return own

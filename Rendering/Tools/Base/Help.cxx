@@ -26,7 +26,7 @@ constexpr std::size_t kColumn = 26;
 /// The group of options that have no row in the table.
 constexpr const char* kProgramGroup = "Program";
 
-/// Columns of $COLUMNS or of the terminal; kDefaultWidth where neither is known.
+/// Returns the columns of $COLUMNS or of the terminal; kDefaultWidth where neither is known.
 std::size_t TerminalWidth()
 {
   int width = 0;
@@ -61,7 +61,7 @@ void Wrap(std::string& text, const std::string& words, std::size_t indent, std::
   text += '\n';
 }
 
-/// A term at the left, and what it means in a column of its own.
+/// Appends a term at the left, and its meaning in a column of its own.
 void AddEntry(std::string& text, const std::string& term, const std::string& meaning)
 {
   text += std::string(kIndent, ' ') + term;
@@ -77,7 +77,7 @@ const Setting* SettingOf(const CLI::App& command, const CLI::Option& option)
     command.get_name(), names.empty() ? option.get_name(true) : "--" + names.front());
 }
 
-/// "Needs --a and --b."; empty for no options.
+/// Returns " Needs --a, --b."; empty for no options.
 std::string Related(const char* how, std::string_view names)
 {
   return names.empty() ? std::string()

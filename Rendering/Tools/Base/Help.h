@@ -17,13 +17,13 @@ namespace pixelexact
 /// Gives a program, and the commands that it gets afterwards, --help and --help-all.
 void AddHelp(CLI::App& program);
 
-/// The options of a command in the order of the table of settings; at the end those without a row,
-/// such as --help.
+/// Returns the options of a command in the order of the table of settings. Those without a row,
+/// such as --help, come last.
 [[nodiscard]] std::vector<const CLI::Option*> OptionsInOrder(const CLI::App& command);
-/// What an option does, and its default, needs and conflicts.
+/// Returns the sentences about an option: what it does, its default, needs and conflicts.
 [[nodiscard]] std::string DescriptionOf(const CLI::App& command, const CLI::Option& option);
-/// Its names, the long one last, and its form, as the help shows them.
+/// Returns its names, the long one last, and its form, as the help shows them.
 [[nodiscard]] std::string UsageOf(const CLI::Option& option);
-/// The title of its group.
+/// Returns the title of its group.
 [[nodiscard]] std::string GroupOf(const CLI::App& command, const CLI::Option& option);
 } // namespace pixelexact

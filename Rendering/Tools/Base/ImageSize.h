@@ -14,10 +14,11 @@ struct ImageSize
   int height = 1000;
   std::optional<std::array<double, 2>> inches; ///< as given; none: pixels were
 };
-/// Of prints, where sizes are lengths and nothing else is said.
+/// Pixels in an inch where a size is a length and --dpi is not given.
 inline constexpr double kUsualDpi = 300.0;
-/// The pixels of a size that is a length, with so many to an inch; others stay. Throws UsageError.
+/// Converts a size that is a length to pixels; `dpi` is their number in an inch. A size in pixels
+/// is returned as it is. Throws UsageError for a size that is too small or too large.
 ImageSize AtDpi(const ImageSize& size, double dpi);
-/// The value of an option. Throws UsageError for a text that is no size.
+/// Reads the value of an option. Throws UsageError for a text that is no size.
 ImageSize ParseImageSize(const std::string& option, const std::string& text);
 } // namespace pixelexact

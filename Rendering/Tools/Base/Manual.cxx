@@ -26,7 +26,7 @@ std::string ForRoff(const std::string& text)
   return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
 }
 
-/// The names and the form of an option, without a blank where its value is joined.
+/// Returns the names and the form of an option. The form begins with a blank unless it is joined.
 std::array<std::string, 2> NamesAndForm(const CLI::Option& option)
 {
   const std::string usage = UsageOf(option);
@@ -39,7 +39,7 @@ std::array<std::string, 2> NamesAndForm(const CLI::Option& option)
   return { names, usage.substr(end) };
 }
 
-/// "vtkHighOrderMapper::SetSamples, ..." of "vtkHighOrderMapper.Samples ...".
+/// Returns "vtkHighOrderMapper::SetSamples, ..." for "vtkHighOrderMapper.Samples ...".
 std::string SettersOf(const Setting& row)
 {
   std::vector<std::string> setters;
@@ -57,7 +57,7 @@ std::string CommandsOfRow(const Setting& row)
   return fmt::format("{}", fmt::join(WordsIn(row.commands), ", "));
 }
 
-/// An item of a Markdown list. `commands`: those that the title of the list names.
+/// Returns an item of a Markdown list. `commands` are those that the title of the list names.
 std::string ItemOf(const CLI::App& program, const Setting& row, std::string_view commands)
 {
   const CLI::App* command = program.get_subcommand(WordsIn(row.commands).front());

@@ -33,16 +33,16 @@ void Bind(CLI::App& command, const char* name, std::vector<std::string>& texts);
 void Bind(CLI::App& command, const char* name, std::vector<std::vector<std::string>>& groups);
 void Bind(CLI::App& command, const char* name, int& number);
 void Bind(CLI::App& command, const char* name, std::optional<int>& number);
-/// Ascending, each once.
+/// The numbers are sorted, and each is kept once.
 void Bind(CLI::App& command, const char* name, std::vector<int>& numbers);
 void Bind(CLI::App& command, const char* name, std::optional<std::vector<int>>& numbers);
 void Bind(CLI::App& command, const char* name, double& number);
 void Bind(CLI::App& command, const char* name, std::optional<double>& number);
-/// Several numbers, or a colour.
+/// The row has the type Numbers or Color.
 void Bind(CLI::App& command, const char* name, std::vector<double>& numbers);
 void Bind(CLI::App& command, const char* name, std::vector<std::vector<double>>& values);
 void Bind(CLI::App& command, const char* name, ImageSize& size);
-/// A choice, or a form of its own.
+/// The row has the type Choice or Read. `read` gets texts that are choices of the row.
 void Bind(CLI::App& command, const char* name, const ReadText& read);
 
 /// Replaces the word {placeholder} in the help of an option.
@@ -51,7 +51,7 @@ void FillHelp(
 
 [[noreturn]] void Refuse(
   const std::string& option, const std::string& text, const std::string& form);
-/// `count` comma-separated finite numbers of an option; else Refuse.
+/// Reads `count` comma-separated finite numbers of an option. Throws UsageError for other texts.
 std::vector<double> ReadNumbers(
   const std::string& option, const std::string& text, int count, const std::string& form);
 /// Throws UsageError for red, green and blue outside of 0 to 1.

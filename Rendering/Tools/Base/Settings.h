@@ -26,8 +26,8 @@ enum class SettingType
   Read ///< a form of its own, which a function of the program reads
 };
 
-/// A row. Lists are words with blanks between them. Settings.cxx holds the rows, which
-/// Rendering/Settings/generate.py writes in this order of members.
+/// A row of the table. Lists are words with blanks between them. Rendering/Settings/generate.py
+/// writes the rows, in this order of members.
 struct Setting
 {
   SettingType type;
@@ -53,13 +53,13 @@ struct Setting
   double highest;
   double initial; ///< the default where it is one number, else NaN
 
-  /// Without the short name: "--output".
+  /// Returns the name without the short one, such as --output.
   [[nodiscard]] std::string_view LongName() const;
 };
 
-/// In the order of the help.
+/// Returns all rows, in the order of the help.
 [[nodiscard]] std::span<const Setting> Settings();
-/// The row of a command's option by its long name; null where there is none.
+/// Returns the row of a command's option by its long name; null where there is none.
 [[nodiscard]] const Setting* FindSetting(std::string_view command, std::string_view name);
 
 [[nodiscard]] std::vector<std::string> WordsIn(std::string_view list);
