@@ -14,7 +14,7 @@ function(pixelexact_generate_settings what)
   set(settings "${PROJECT_SOURCE_DIR}/Rendering/Settings")
   list(POP_BACK ARGN out)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-    "${settings}/generate.py" "${settings}/settings.py" "${settings}/settings.json" ${ARGN})
+    ${PIXELEXACT_SETTING_FILES} ${ARGN})
   execute_process(
     COMMAND "${Python3_EXECUTABLE}" -B "${settings}/generate.py" ${what} ${ARGN} "${out}"
     COMMAND_ERROR_IS_FATAL ANY)

@@ -40,7 +40,7 @@ add_custom_command(
   OUTPUT "${package_folder}/_setting_rows.py"
   COMMAND "${Python3_EXECUTABLE}" -B "${settings}/generate.py" python
     "${package_folder}/_setting_rows.py"
-  DEPENDS "${settings}/generate.py" "${settings}/settings.py" "${settings}/settings.json"
+  DEPENDS ${PIXELEXACT_SETTING_FILES}
   VERBATIM)
 list(APPEND package_files "${package_folder}/_setting_rows.py")
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what is made from the table of settings, settings.json.
+"""Writes what is made from the tables of settings and file formats, settings.json and formats.json.
 
     generate.py cxx OUT.inc             the rows of the tool's options, for Tools/Base/Settings.cxx
+    generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/Input.cxx
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
@@ -15,9 +16,10 @@ import sys
 from pathlib import Path
 from xml.sax.saxutils import escape
 
+import formats
 import settings
 
-BEGIN_CXX = "// By Rendering/Settings/generate.py from settings.json.\n"
+BEGIN_CXX = "// By Rendering/Settings/generate.py from {}.\n"
 
 
 def cxx_string(text):
@@ -56,7 +58,25 @@ def cxx_row(row):
 
 def write_cxx(out):
     rows = [cxx_row(row) for row in settings.load() if row["option"]]
-    out.write_text(BEGIN_CXX + "".join(rows), encoding="utf-8")
+    out.write_text(BEGIN_CXX.format("settings.json") + "".join(rows), encoding="utf-8")
+
+
+def cxx_suffix(suffix, row, reader, is_folder):
+    return (
+        f"  {{ .suffix = {cxx_string(suffix)}, .name = {cxx_string(row['name'])},"
+        f" .mayBeFolder = {str(is_folder).lower()}, .read = &{reader} }},\n"
+    )
+
+
+def write_formats(out):
+    rows = []
+    for row in formats.load():
+        rows += [cxx_suffix(suffix, row, row["reader"], False) for suffix in row["mesh"]]
+        rows += [
+            cxx_suffix(suffix, row, "RefuseFieldFile", row["field_folders"])
+            for suffix in formats.own_fields(row)
+        ]
+    out.write_text(BEGIN_CXX.format("formats.json") + "".join(rows), encoding="utf-8")
 
 
 def write_python(out):
@@ -142,12 +162,14 @@ def forwarder(entry):
 
 def write_forwarders(out):
     plain = [entry for entry in paraview_entries().values() if not entry["paraview"]["written"]]
-    out.write_text(BEGIN_CXX + "\n".join(map(forwarder, plain)), encoding="utf-8")
+    text = BEGIN_CXX.format("settings.json") + "\n".join(map(forwarder, plain))
+    out.write_text(text, encoding="utf-8")
 
 
 def main(what, *files):
     writers = {
-        "cxx": write_cxx, "python": write_python, "xml": write_xml, "forwarders": write_forwarders,
+        "cxx": write_cxx, "formats": write_formats, "python": write_python, "xml": write_xml,
+        "forwarders": write_forwarders,
     }
     writers[what](*map(Path, files))
 

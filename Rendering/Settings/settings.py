@@ -11,6 +11,8 @@ import math
 import re
 from pathlib import Path
 
+import formats
+
 TABLE = Path(__file__).resolve().parent / "settings.json"
 
 # The types of a setting, and the form in which the help shows a value without "form" or "unit".
@@ -47,7 +49,8 @@ KEYS = {
     "implied": "the number of a `number-if-any` where it is left out",
     "needs": "options without which this one is refused",
     "excludes": "options with which it is refused",
-    "help": "one or two sentences; {min}, {max}, {implied} and what FillHelp (Tools/Base) fills in",
+    "help": "one or two sentences; {min}, {max}, {implied}, {suffixes} and {field_suffixes} of"
+            " formats.json, and what FillHelp (Tools/Base) fills in",
     "layer": "the key of --layer",
     "vtk": "properties of VTK's classes: \"Class.Property\", or an object of VTK_KEYS",
     "python": "the keyword of pixelexact.cut or render",
@@ -187,9 +190,9 @@ def _complete_vtk(row, entry):
 
 
 def _filled(text, row):
-    for key in ("min", "max", "implied"):
-        if row[key] is not None:
-            text = text.replace(f"{{{key}}}", number_text(row[key]))
+    numbers = {key: number_text(row[key]) for key in ("min", "max", "implied") if row[key] is not None}
+    for key, value in (numbers | formats.help_texts()).items():
+        text = text.replace(f"{{{key}}}", value)
     return text
 
 

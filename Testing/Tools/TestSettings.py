@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of settings, and what is made from it: the help and the reference of options."""
+"""The tables of settings and file formats, and what is made from them: help, reference, readers."""
 
 import fcntl
 import os
@@ -17,6 +17,7 @@ from tool import DATA, MIDDLE, TOOL, ToolTest, case
 
 ROOT = DATA.parent
 sys.path.insert(0, str(ROOT / "Rendering" / "Settings"))
+import formats  # noqa: E402
 import settings  # noqa: E402
 
 PAGE = ROOT / "Module" / "Documentation" / "options.md"
@@ -110,6 +111,47 @@ class Table(ToolTest):
                 text = str(value) if isinstance(value, str) else settings.number_text(value)
                 done = self.fails(2, command, "missing.vtu", f"{name}={text}", names=[name])
                 self.assertIn(settings.expected_of(row), done.stderr)
+
+
+class Formats(ToolTest):
+    def write(self, name):
+        path = self.folder / name
+        path.write_text("x", encoding="utf-8")
+        return path
+
+    def test_suffixes_that_the_tool_lists(self):
+        done = self.fails(1, "info", self.write("a.unknown"))
+        listed = re.search(r"suffixes are (.*), and", done.stderr)[1].split(", ")
+        self.assertEqual(listed, [suffix for row in formats.load() for suffix in row["mesh"]])
+
+    def test_names_of_formats(self):
+        """Files of two formats are refused by the names of both."""
+        for row in formats.load():
+            first = "a.vtk" if row["name"] != "VTK legacy" else "a.cgns"
+            for suffix in row["mesh"] + row["fields"]:
+                second = self.write("b" + suffix)
+                self.fails(2, "info", self.write(first), second, names=[f"'{second}' ({row['name']})"])
+
+    def test_meshes_have_a_reader(self):
+        for suffix in (suffix for row in formats.load() for suffix in row["mesh"]):
+            file = self.write("a" + suffix)
+            done = self.fails(1, "info", file, names=[file])
+            self.assertNotIn("no format", done.stderr)
+
+    def test_fields_need_a_mesh(self):
+        for row in formats.load():
+            for suffix in formats.own_fields(row):
+                self.fails(2, "info", self.write("a" + suffix), names=["without its mesh"])
+
+    def test_folders_of_fields(self):
+        for row in formats.load():
+            for suffix in row["mesh"] + row["fields"]:
+                folder = self.folder / ("folder" + suffix)
+                folder.mkdir(exist_ok=True)
+                if row["field_folders"] and suffix in row["fields"]:
+                    self.fails(2, "info", folder, names=["without its mesh"])
+                else:
+                    self.fails(1, "info", folder, names=["it is a folder"])
 
 
 if __name__ == "__main__":

@@ -29,6 +29,27 @@ namespace pixelexact
 {
 namespace
 {
+/// A suffix of a format's files, a row of Rendering/Settings/formats.json.
+struct Format
+{
+  const char* suffix;
+  const char* name;
+  bool mayBeFolder;
+  InputGrid (*read)(const InputRequest&); ///< RefuseFieldFile: the files hold fields alone
+};
+constexpr std::array kFormats = std::to_array<Format>({
+#include "FormatRows.inc"
+});
+
+/// Null where no format has the suffix.
+const Format* FindFormat(std::string suffix)
+{
+  // Pieces of MFEM's parallel runs have a number for a suffix.
+  suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
+  const auto* format = std::ranges::find(kFormats, suffix, &Format::suffix);
+  return format == kFormats.end() ? nullptr : format;
+}
+
 /// What the operating system can tell before a reader guesses.
 void CheckFile(const std::string& file)
 {
@@ -41,8 +62,8 @@ void CheckFile(const std::string& file)
   if (std::filesystem::is_directory(status))
   {
     // Parallel runs of Nektar++ write a folder of parts.
-    const std::string suffix = LowerSuffix(file);
-    if (suffix == ".fld" || suffix == ".chk" || suffix == ".rst")
+    if (const Format* format = FindFormat(LowerSuffix(file));
+        format != nullptr && format->mayBeFolder)
     {
       return;
     }
@@ -70,44 +91,6 @@ void CheckFile(const std::string& file)
   }
 }
 
-// A new format is a line here and a function elsewhere.
-struct Format
-{
-  const char* suffix;
-  const char* what;
-  InputGrid (*read)(const InputRequest&);
-};
-constexpr std::array kFormats{
-  Format{ ".vtu", "VTK XML", &ReadXmlFiles },
-  Format{ ".pvtu", "VTK XML", &ReadXmlFiles },
-  Format{ ".pvd", "collection of VTK XML files", &ReadXmlCollection },
-  Format{ ".vtk", "VTK legacy", &ReadLegacyFile },
-  Format{ ".e", "Exodus II", &ReadExodusFile },
-  Format{ ".exo", "Exodus II", &ReadExodusFile },
-  Format{ ".ex2", "Exodus II", &ReadExodusFile },
-  Format{ ".exii", "Exodus II", &ReadExodusFile },
-  Format{ ".g", "Exodus II", &ReadExodusFile },
-  Format{ ".cgns", "CGNS", &ReadCgnsFile },
-  Format{ ".mesh", "MFEM", &ReadMfemFiles },
-  Format{ ".mfem_root", "collection of MFEM files", &ReadMfemCollection },
-  Format{ ".gf", "MFEM", &RefuseFieldFile },
-  Format{ ".saved", "GLVis", &ReadGlvisFile },
-  Format{ ".msh", "Gmsh", &ReadGmshFiles },
-  Format{ ".xml", "Nektar++", &ReadNektarFiles },
-  Format{ ".nekg", "Nektar++", &ReadNektarFiles },
-  Format{ ".fld", "Nektar++", &RefuseFieldFile },
-  Format{ ".chk", "Nektar++", &RefuseFieldFile },
-  Format{ ".rst", "Nektar++", &RefuseFieldFile },
-};
-
-const Format* FormatOf(std::string suffix)
-{
-  // Pieces of MFEM's parallel runs have no other.
-  suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
-  const auto* format = std::ranges::find(kFormats, suffix, &Format::suffix);
-  return format == kFormats.end() ? nullptr : format;
-}
-
 /// Of "x.mesh.gz" that of the mesh, of "x.e-s002" and "x.e.4.0" that of an Exodus file.
 std::string SuffixOf(const std::string& file)
 {
@@ -131,11 +114,11 @@ void CheckCompanions(const std::vector<std::string>& files, const Format& format
         "' holds neither mesh nor field; points of probe are given "
         "as --points FILE");
     }
-    const Format* other = FormatOf(suffix);
-    if (other != nullptr && std::string_view(other->what) != format.what)
+    const Format* other = FindFormat(suffix);
+    if (other != nullptr && std::string_view(other->name) != format.name)
     {
-      throw UsageError("'" + files[0] + "' (" + format.what + ") and '" + files[i] + "' (" +
-        other->what + ") do not go together; name one mesh, and its own fields");
+      throw UsageError("'" + files[0] + "' (" + format.name + ") and '" + files[i] + "' (" +
+        other->name + ") do not go together; name one mesh, and its own fields");
     }
     if (suffix == ".mesh")
     {
@@ -204,12 +187,26 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
 
 namespace
 {
+/// The suffixes of mesh files, with commas between them.
+std::string InputSuffixes()
+{
+  std::string suffixes;
+  for (const Format& format : kFormats)
+  {
+    if (format.read != &RefuseFieldFile)
+    {
+      suffixes.append(suffixes.empty() ? "" : ", ").append(format.suffix);
+    }
+  }
+  return suffixes;
+}
+
 /// All but the look at what was read.
 InputGrid Read(const InputRequest& request)
 {
   const std::string& first = request.files[0];
   CheckFile(first);
-  const Format* format = FormatOf(SuffixOf(first));
+  const Format* format = FindFormat(SuffixOf(first));
   if (format == nullptr)
   {
     throw UnknownFormat("cannot read '" + first +
@@ -254,19 +251,6 @@ bool ReadListener::Report(double part)
   return !listening || listening(part);
 }
 
-std::string InputSuffixes()
-{
-  std::string suffixes;
-  for (const Format& format : kFormats)
-  {
-    if (format.read != &RefuseFieldFile)
-    {
-      suffixes.append(suffixes.empty() ? "" : ", ").append(format.suffix);
-    }
-  }
-  return suffixes;
-}
-
 std::vector<double> ReadTimes(InputRequest request)
 {
   request.timesAlone = true;
@@ -275,8 +259,14 @@ std::vector<double> ReadTimes(InputRequest request)
 
 bool HoldsFieldsAlone(const std::string& file)
 {
-  const Format* format = FormatOf(SuffixOf(file));
+  const Format* format = FindFormat(SuffixOf(file));
   return format != nullptr && format->read == &RefuseFieldFile;
+}
+
+bool IsMeshSuffix(const std::string& suffix)
+{
+  const Format* format = FindFormat(suffix);
+  return format != nullptr && format->read != &RefuseFieldFile;
 }
 
 InputGrid ReadInput(const InputRequest& request)

@@ -63,9 +63,6 @@ public:
   using Error::Error;
 };
 
-/// The suffixes of mesh files that are read, with commas between them.
-std::string InputSuffixes();
-
 /// Reads INPUT, for all who do (the program, pixelexact.read): one mesh file and, where the format
 /// keeps them apart, its field files; or a time series. The reader is chosen by the suffix of the
 /// first. Throws Error, naming the file, when it cannot be read or its cells contradict its points,
@@ -80,6 +77,9 @@ std::vector<double> ReadTimes(InputRequest request);
 bool HoldsFieldsAlone(const std::string& file);
 
 // For those who add formats.
+
+/// Whether files with this suffix (".xml") hold a mesh of a format that is read.
+bool IsMeshSuffix(const std::string& suffix);
 
 /// Throws Error.
 [[noreturn]] void CannotRead(const std::string& file, const std::string& why);

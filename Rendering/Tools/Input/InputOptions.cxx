@@ -25,7 +25,6 @@ int ParseStep(const std::string& text, bool mayBeAll)
 void InputRequest::AddTo(CLI::App& command)
 {
   Bind(command, "INPUT", files);
-  FillHelp(command, "INPUT", "suffixes", InputSuffixes());
   Bind(command, "--time-step",
     [this](const std::string& text)
     {

@@ -138,7 +138,7 @@ InputGrid ReadNektarFiles(const InputRequest& request)
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
     const std::string& file = request.files[i];
-    if (LowerSuffix(file) == ".xml" || LowerSuffix(file) == ".nekg")
+    if (IsMeshSuffix(LowerSuffix(file)))
     {
       reader->AddSessionFileName(file.c_str());
     }
