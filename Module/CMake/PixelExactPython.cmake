@@ -35,14 +35,17 @@ foreach(source IN LISTS sources)
   list(APPEND package_files "${package_folder}/${source}")
 endforeach()
 
-set(settings "${PROJECT_SOURCE_DIR}/Rendering/Settings")
-add_custom_command(
-  OUTPUT "${package_folder}/_setting_rows.py"
-  COMMAND "${Python3_EXECUTABLE}" -B "${settings}/generate.py" python
-    "${package_folder}/_setting_rows.py"
-  DEPENDS ${PIXELEXACT_SETTING_FILES}
-  VERBATIM)
-list(APPEND package_files "${package_folder}/_setting_rows.py")
+# Texts of keywords and of file formats.
+foreach(table IN ITEMS "python:_setting_rows.py" "python-formats:_format_rows.py")
+  string(REGEX MATCH "(.*):(.*)" table "${table}")
+  add_custom_command(
+    OUTPUT "${package_folder}/${CMAKE_MATCH_2}"
+    COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Rendering/Settings/generate.py"
+      "${CMAKE_MATCH_1}" "${package_folder}/${CMAKE_MATCH_2}"
+    DEPENDS ${PIXELEXACT_SETTING_FILES}
+    VERBATIM)
+  list(APPEND package_files "${package_folder}/${CMAKE_MATCH_2}")
+endforeach()
 
 Python3_add_library(PixelExactRun MODULE "${PROJECT_SOURCE_DIR}/Rendering/Python/Run.cxx")
 set_target_properties(PixelExactRun PROPERTIES

@@ -5,6 +5,7 @@
     generate.py cxx OUT.inc             the rows of the tool's options, for Tools/Base/Settings.cxx
     generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/Input.cxx
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
+    generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
 """
@@ -99,6 +100,22 @@ def write_python(out):
     )
 
 
+def format_text(row):
+    """The line of a format in the docstring of pixelexact.read."""
+    fields = formats.own_fields(row)
+    suffixes = ", ".join(row["mesh"]) + (" with " + ", ".join(fields) if fields else "")
+    return f"{suffixes}: {row['name']}. {row['help']}"
+
+
+def write_python_formats(out):
+    texts = pprint.pformat([format_text(row) for row in formats.load()], width=100)
+    out.write_text(
+        '"""The texts of the rows of formats.json, by Rendering/Settings/generate.py."""\n\n'
+        f"from __future__ import annotations\n\nFORMATS: list[str] = {texts}\n",
+        encoding="utf-8",
+    )
+
+
 def paraview_entries():
     """The VTK properties that ParaView shows, by ParaView's name."""
     entries = [entry for row in settings.load() for entry in row["vtk"] if entry.get("paraview")]
@@ -168,8 +185,8 @@ def write_forwarders(out):
 
 def main(what, *files):
     writers = {
-        "cxx": write_cxx, "formats": write_formats, "python": write_python, "xml": write_xml,
-        "forwarders": write_forwarders,
+        "cxx": write_cxx, "formats": write_formats, "python": write_python,
+        "python-formats": write_python_formats, "xml": write_xml, "forwarders": write_forwarders,
     }
     writers[what](*map(Path, files))
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of settings against Python's keywords and the properties of VTK's classes."""
+"""The tables of settings and file formats against Python's keywords and docstrings, and the
+properties of VTK's classes."""
 
 import inspect
 import os
 import re
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -12,6 +14,7 @@ import pixelexact
 
 DATA = Path(os.environ["PIXELEXACT_DATA_DIR"])
 sys.path.insert(0, str(DATA.parent / "Rendering" / "Settings"))
+import formats  # noqa: E402
 import settings  # noqa: E402
 
 CLASSES = ["vtkHighOrderMapper", "vtkHighOrderLayer", "vtkHighOrderPicture"]
@@ -59,6 +62,23 @@ class Keywords(unittest.TestCase):
                     pixelexact.render(grid, "u", size=(2, 2), **{name: value})
                 message = f"{name}: expected {settings.expected_of(row)}, got {value!r}"
                 self.assertEqual(str(raised.exception), message)
+
+
+class Formats(unittest.TestCase):
+    def test_docstring_of_read(self):
+        doc = re.sub(r"\s+", " ", pixelexact.read.__doc__)
+        for row in formats.load():
+            for text in (*row["mesh"], *row["fields"], f": {row['name']}. {row['help']}"):
+                self.assertIn(text, doc)
+        self.assertNotIn("{", doc)
+
+    def test_suffixes_that_read_lists(self):
+        with tempfile.NamedTemporaryFile(suffix=".unknown") as file:
+            file.write(b"x")
+            file.flush()
+            with self.assertRaises(ValueError) as raised:
+                pixelexact.read(file.name)
+        self.assertIn(f"suffixes are {formats.help_texts()['suffixes']}, and", str(raised.exception))
 
 
 class Properties(unittest.TestCase):

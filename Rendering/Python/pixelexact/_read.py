@@ -7,6 +7,8 @@ import warnings
 from typing import Any, Union
 
 from . import _run
+from ._docstrings import with_texts
+from ._format_rows import FORMATS
 from ._work import Error, Progress, run
 from .PixelExactDataModel import vtkHighOrderGrid
 from .PixelExactFilters import vtkUnstructuredGridToHighOrderGrid
@@ -58,15 +60,17 @@ def as_high_order(grid: Any, progress: Progress = None) -> vtkHighOrderGrid:
     return typed
 
 
+@with_texts("{formats}", FORMATS)
 def read(
     mesh: Path, *fields: Path, time_step: int = 0, progress: Progress = None
 ) -> vtkHighOrderGrid:
     """Reads a mesh file and, where the format keeps them apart, its field files.
 
-    All that the program reads, by the same function: .vtu, .pvtu, .pvd, .vtk; .e, .exo, .ex2, .exii,
-    .g (Exodus II); .cgns; .mesh with .gf, pieces of parallel runs, .mfem_root (MFEM); .saved (GLVis);
-    .xml and .nekg with .fld, .chk, .rst (Nektar++); .msh (Gmsh). Numbered .vtu, several .mfem_root or
-    fields of Nektar++ are time steps. What looks wrong in a file is a RuntimeWarning.
+    All that the program reads, by the same function; suffixes of meshes, and of their field files:
+
+    {formats}
+
+    What looks wrong in a file is a RuntimeWarning.
 
     time_step: counted from 0, or from the end where it is negative; see times. progress: a function
     of the part that is done; what it raises ends the work, and so does KeyboardInterrupt.

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import inspect
 import operator
-import textwrap
 from typing import Any, Callable, TypeVar
 
+from ._docstrings import with_texts
 from ._scene import numbers_of
 from ._setting_rows import ROWS
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
-_PLACE = "    {settings}\n"
 
 
 def _is_flag(value: Any) -> bool:
@@ -52,13 +51,8 @@ def check(**settings: Any) -> None:
 def documented(function: _Function) -> _Function:
     """Puts the table's texts of the function's keywords in place of {settings} in its docstring."""
     texts = [
-        textwrap.fill(
-            f"{keyword}: {ROWS[keyword]['help']}", 100,
-            initial_indent=" " * 4, subsequent_indent=" " * 8,
-        )
+        f"{keyword}: {ROWS[keyword]['help']}"
         for keyword in inspect.signature(function).parameters
         if keyword in ROWS
     ]
-    if function.__doc__ is not None:  # python -OO drops docstrings
-        function.__doc__ = function.__doc__.replace(_PLACE, "\n".join(texts) + "\n")
-    return function
+    return with_texts("{settings}", texts)(function)
