@@ -21,6 +21,8 @@ KEYS = {
     "paraview_suffixes": "the suffixes with which ParaView opens the reader; else those of `mesh`",
     "help": "one sentence about the files",
 }
+# The first lines of the table of formats in Module/Documentation/readers.md.
+PAGE_HEAD = "| format | meshes | fields | reader in ParaView | files |\n|---|---|---|---|---|\n"
 
 
 @functools.cache
@@ -47,6 +49,20 @@ def help_texts():
     shared = [suffix for row in load() for suffix in row["fields"] if suffix in row["mesh"]]
     fields = own + [f"{suffix} without a mesh" for suffix in shared]
     return {"suffixes": ", ".join(meshes), "field_suffixes": "; ".join(fields)}
+
+
+def page_table():
+    """The table of formats in Markdown."""
+    return PAGE_HEAD + "".join(map(_page_row, load()))
+
+
+def _page_row(row):
+    suffixes = (_code(row["mesh"]), _code(row["fields"]), _code(filter(None, [row["paraview"]])))
+    return f"| {row['name']} | {' | '.join(suffixes)} | {row['help']} |\n"
+
+
+def _code(words):
+    return ", ".join(f"`{word}`" for word in words)
 
 
 def _table():

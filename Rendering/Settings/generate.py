@@ -6,6 +6,7 @@
     generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/Input.cxx
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
+    generate.py page PAGE.md            the table of formats, in place of the one in readers.md
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
 """
@@ -116,6 +117,13 @@ def write_python_formats(out):
     )
 
 
+def write_page(page):
+    text = page.read_text(encoding="utf-8")
+    begin = text.index(formats.PAGE_HEAD)
+    end = text.index("\n\n", begin) + 1
+    page.write_text(text[:begin] + formats.page_table() + text[end:], encoding="utf-8")
+
+
 def paraview_entries():
     """The VTK properties that ParaView shows, by ParaView's name."""
     entries = [entry for row in settings.load() for entry in row["vtk"] if entry.get("paraview")]
@@ -186,7 +194,8 @@ def write_forwarders(out):
 def main(what, *files):
     writers = {
         "cxx": write_cxx, "formats": write_formats, "python": write_python,
-        "python-formats": write_python_formats, "xml": write_xml, "forwarders": write_forwarders,
+        "python-formats": write_python_formats, "page": write_page,
+        "xml": write_xml, "forwarders": write_forwarders,
     }
     writers[what](*map(Path, files))
 

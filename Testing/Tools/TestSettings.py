@@ -119,6 +119,11 @@ class Formats(ToolTest):
         path.write_text("x", encoding="utf-8")
         return path
 
+    def test_table_of_formats(self):
+        """Where it fails: Rendering/Settings/generate.py page Module/Documentation/readers.md."""
+        page = (PAGE.parent / "readers.md").read_text(encoding="utf-8")
+        self.assertIn(f"\n{formats.page_table()}\n", page)
+
     def test_suffixes_that_the_tool_lists(self):
         done = self.fails(1, "info", self.write("a.unknown"))
         listed = re.search(r"suffixes are (.*), and", done.stderr)[1].split(", ")
