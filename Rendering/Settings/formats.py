@@ -51,6 +51,18 @@ def help_texts():
     return {"suffixes": ", ".join(meshes), "field_suffixes": "; ".join(fields)}
 
 
+def paraview_hints():
+    """The suffixes and the description of the files that each of the plugin's readers opens."""
+    descriptions = _table()["paraview_readers"]
+    return {
+        reader: (
+            [suffix for row in load() if row["paraview"] == reader for suffix in row["paraview_suffixes"]],
+            description,
+        )
+        for reader, description in descriptions.items()
+    }
+
+
 def page_table():
     """The table of formats in Markdown."""
     return PAGE_HEAD + "".join(map(_page_row, load()))

@@ -6,6 +6,7 @@
     generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/Input.cxx
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
+    generate.py readers TEMPLATE.in OUT ParaView's readers, with the suffixes of <ReaderFactory reader="..."
     generate.py page PAGE.md            the table of formats, in place of the one in readers.md
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
@@ -117,6 +118,20 @@ def write_python_formats(out):
     )
 
 
+def write_readers(template, out):
+    hints = formats.paraview_hints()
+
+    def filled(match):
+        suffixes, description = hints.pop(match[1])
+        words = " ".join(suffix.removeprefix(".") for suffix in suffixes)
+        return f'<ReaderFactory extensions="{words}" file_description="{escape(description)}"'
+
+    text = re.sub(r'<ReaderFactory reader="(\w+)"', filled, template.read_text(encoding="utf-8"))
+    if hints:
+        raise ValueError(f"{template} lacks the readers {sorted(hints)}")
+    out.write_text(text, encoding="utf-8")
+
+
 def write_page(page):
     text = page.read_text(encoding="utf-8")
     begin = text.index(formats.PAGE_HEAD)
@@ -194,7 +209,7 @@ def write_forwarders(out):
 def main(what, *files):
     writers = {
         "cxx": write_cxx, "formats": write_formats, "python": write_python,
-        "python-formats": write_python_formats, "page": write_page,
+        "python-formats": write_python_formats, "readers": write_readers, "page": write_page,
         "xml": write_xml, "forwarders": write_forwarders,
     }
     writers[what](*map(Path, files))

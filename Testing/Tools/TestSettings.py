@@ -12,6 +12,7 @@ import termios
 import unittest
 from pathlib import Path
 from unittest import mock
+from xml.etree import ElementTree
 
 from tool import DATA, MIDDLE, TOOL, ToolTest, case
 
@@ -123,6 +124,14 @@ class Formats(ToolTest):
         """Where it fails: Rendering/Settings/generate.py page Module/Documentation/readers.md."""
         page = (PAGE.parent / "readers.md").read_text(encoding="utf-8")
         self.assertIn(f"\n{formats.page_table()}\n", page)
+
+    def test_readers_in_paraview(self):
+        """Each proxy of the plugin's readers has the suffixes of its own rows."""
+        template = ElementTree.parse(ROOT / "ParaView" / "Readers.xml.in")
+        for proxy in template.iter("SourceProxy"):
+            readers = [hint.get("reader") for hint in proxy.iter("ReaderFactory")]
+            self.assertEqual(readers, [proxy.get("name")])
+            self.assertTrue(formats.paraview_hints()[readers[0]][0])
 
     def test_suffixes_that_the_tool_lists(self):
         done = self.fails(1, "info", self.write("a.unknown"))
