@@ -118,7 +118,7 @@ void vtkHighOrderLinearCut::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "NumberOfTrianglesAtTheRim: " << this->NumberOfTrianglesAtTheRim << "\n";
   os << indent << "NumberOfPointsOffSurface: " << this->NumberOfPointsOffSurface << "\n";
-  PrintFields(os, indent, this->Fields);
+  PrintFields(os, indent, this->Fields.All());
 }
 
 vtkMTimeType vtkHighOrderLinearCut::GetMTime()
@@ -135,18 +135,6 @@ void vtkHighOrderLinearCut::SetCutFunction(vtkImplicitFunction* function)
 vtkImplicitFunction* vtkHighOrderLinearCut::GetCutFunction()
 {
   return this->CutFunction;
-}
-
-void vtkHighOrderLinearCut::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkHighOrderLinearCut::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
 }
 
 int vtkHighOrderLinearCut::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -170,7 +158,7 @@ bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
   }
   const auto model = this->Source->Get(grid, this);
   double perPoint = PointSampling::kBytesPerPoint + 100.0; // also Xi, Element, ... of the output
-  for (const Field* field : FieldsNamed(*model, this->Fields))
+  for (const Field* field : FieldsNamed(*model, this->Fields.All()))
   {
     perPoint += 16.0 * field->values.components;
   }
@@ -193,7 +181,7 @@ bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
   const auto sampled = [this](const PointSampling& sampling)
   {
     auto values = vtkSmartPointer<vtkPointData>::New();
-    sampling.AddFields({ this->Fields }, values);
+    sampling.AddFields({ this->Fields.All() }, values);
     sampling.AddLocations(values);
     return values;
   };

@@ -20,13 +20,13 @@
 #ifndef vtkHighOrderLinearCut_h
 #define vtkHighOrderLinearCut_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the cut function
 
 #include <memory> // for the model
 #include <string> // for names
-#include <vector> // for names
 
 class vtkImplicitFunction;
 
@@ -68,8 +68,8 @@ public:
   /**
    * Names of the fields that the output has; none: all. A name that the grid lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
   ///@{
@@ -100,7 +100,7 @@ private:
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   int Resolution = 256;
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   vtkIdType NumberOfTrianglesAtTheRim = 0;
   vtkIdType NumberOfPointsOffSurface = 0;
   std::unique_ptr<pixelexact::ModelSource> Source;

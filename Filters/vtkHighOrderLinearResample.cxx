@@ -126,19 +126,7 @@ void vtkHighOrderLinearResample::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << bound;
   }
   os << "\n";
-  PrintFields(os, indent, this->Fields);
-}
-
-void vtkHighOrderLinearResample::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkHighOrderLinearResample::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
+  PrintFields(os, indent, this->Fields.All());
 }
 
 int vtkHighOrderLinearResample::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -185,14 +173,14 @@ bool vtkHighOrderLinearResample::Resample(vtkDataObject* grid, vtkImageData* out
   const auto model = this->Source->Get(grid, this);
   const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
   output->Initialize();
-  RequireRoom(n, FieldsNamed(*model, this->Fields));
+  RequireRoom(n, FieldsNamed(*model, this->Fields.All()));
   SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(grid).data());
   const PointSampling sampling(*model, PointsOf(output), ProgressOf(this, 0.0, 0.8));
   if (sampling.IsAborted())
   {
     return false;
   }
-  sampling.AddFields({ this->Fields, false }, output->GetPointData());
+  sampling.AddFields({ this->Fields.All(), false }, output->GetPointData());
   Blank(output, sampling.Verdicts());
   return true;
 }

@@ -15,12 +15,12 @@
 #ifndef vtkHighOrderLinearResample_h
 #define vtkHighOrderLinearResample_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkImageAlgorithm.h"
 
 #include <memory> // for the model
 #include <string> // for names
-#include <vector> // for names
 
 namespace pixelexact
 {
@@ -56,8 +56,8 @@ public:
   /**
    * Names of the fields to resample; none: all. A name that the grid lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
 protected:
@@ -82,7 +82,7 @@ private:
 
   int Dimensions[3] = { 64, 64, 64 };
   double SamplingBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   std::unique_ptr<pixelexact::ModelSource> Source;
   std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };

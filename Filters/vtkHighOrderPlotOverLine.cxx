@@ -139,19 +139,7 @@ void vtkHighOrderPlotOverLine::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ElementBoundaries: " << (this->ElementBoundaries ? "on" : "off") << "\n";
   os << indent << "ComputeGradients: " << (this->ComputeGradients ? "on" : "off") << "\n";
   os << indent << "Enclosures: " << (this->Enclosures ? "on" : "off") << "\n";
-  pixelexact::PrintFields(os, indent, this->Fields);
-}
-
-void vtkHighOrderPlotOverLine::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkHighOrderPlotOverLine::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
+  pixelexact::PrintFields(os, indent, this->Fields.All());
 }
 
 int vtkHighOrderPlotOverLine::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -221,7 +209,7 @@ bool vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
   const pixelexact::PointSampling sampling(
     *model, std::move(line), pixelexact::ProgressOf(this, 0.3, 0.6));
   if (sampling.IsAborted() ||
-    !sampling.AddFields({ this->Fields, this->ComputeGradients, this->Enclosures }, data,
+    !sampling.AddFields({ this->Fields.All(), this->ComputeGradients, this->Enclosures }, data,
       pixelexact::ProgressOf(this, 0.6, 1.0)))
   {
     return false;

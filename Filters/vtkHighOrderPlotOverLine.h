@@ -18,12 +18,12 @@
 #ifndef vtkHighOrderPlotOverLine_h
 #define vtkHighOrderPlotOverLine_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for the model
 #include <string> // for names
-#include <vector> // for names
 
 namespace pixelexact
 {
@@ -69,8 +69,8 @@ public:
   /**
    * Names of the fields; none: all. A name that the grid lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
   ///@{
@@ -108,7 +108,7 @@ private:
   bool ElementBoundaries = true;
   bool ComputeGradients = false;
   bool Enclosures = false;
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   std::unique_ptr<pixelexact::ModelSource> Source;
   std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };

@@ -29,7 +29,7 @@ vtkHighOrderProbe::~vtkHighOrderProbe() = default;
 void vtkHighOrderProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  pixelexact::PrintFields(os, indent, this->Fields);
+  pixelexact::PrintFields(os, indent, this->Fields.All());
   os << indent << "ComputeGradients: " << this->ComputeGradients << "\n";
   os << indent << "Enclosures: " << this->Enclosures << "\n";
   os << indent << "Owners: " << this->Owners << "\n";
@@ -43,18 +43,6 @@ void vtkHighOrderProbe::SetSourceConnection(vtkAlgorithmOutput* output)
 void vtkHighOrderProbe::SetSourceData(vtkDataObject* grid)
 {
   this->SetInputDataObject(1, grid);
-}
-
-void vtkHighOrderProbe::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkHighOrderProbe::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
 }
 
 int vtkHighOrderProbe::FillInputPortInformation(int port, vtkInformation* info)
@@ -108,7 +96,7 @@ bool vtkHighOrderProbe::Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataS
   const PointSampling sampling(*model, PointsOf(points), ProgressOf(this, 0.1, located));
   vtkPointData* data = output->GetPointData();
   if (sampling.IsAborted() ||
-    !sampling.AddFields({ this->Fields, this->ComputeGradients, this->Enclosures }, data,
+    !sampling.AddFields({ this->Fields.All(), this->ComputeGradients, this->Enclosures }, data,
       ProgressOf(this, located, 1.0)))
   {
     return false;

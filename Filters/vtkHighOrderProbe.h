@@ -28,12 +28,12 @@
 #ifndef vtkHighOrderProbe_h
 #define vtkHighOrderProbe_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
 #include <memory> // for the model
 #include <string> // for names
-#include <vector> // for names
 
 class vtkDataObject;
 class vtkDataSet;
@@ -63,8 +63,8 @@ public:
   /**
    * Names of the fields to evaluate; none: all. A name that the grid lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
   ///@{
@@ -114,7 +114,7 @@ private:
   /// Throws Error. False where it was aborted.
   bool Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataSet* output);
 
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   bool ComputeGradients = false;
   bool Enclosures = false;
   bool Owners = false;

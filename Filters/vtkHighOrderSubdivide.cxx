@@ -166,19 +166,7 @@ void vtkHighOrderSubdivide::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "NumberOfCoarseElements: " << this->NumberOfCoarseElements << "\n";
-  PrintFields(os, indent, this->Fields);
-}
-
-void vtkHighOrderSubdivide::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkHighOrderSubdivide::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
+  PrintFields(os, indent, this->Fields.All());
 }
 
 int vtkHighOrderSubdivide::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -190,7 +178,7 @@ int vtkHighOrderSubdivide::FillInputPortInformation(int /*port*/, vtkInformation
 bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* output)
 {
   const auto model = this->Source->Get(input, this);
-  const std::vector<const Field*> fields = FieldsNamed(*model, this->Fields);
+  const std::vector<const Field*> fields = FieldsNamed(*model, this->Fields.All());
   const SubdivisionLevels levels = this->Tolerance > 0.0
     ? AdaptedLevels(*model, fields, this->Tolerance, this->Level, ProgressOf(this, 0.0, 0.5))
     : UniformLevels(*model, this->Level);

@@ -24,12 +24,12 @@
 #ifndef vtkHighOrderSubdivide_h
 #define vtkHighOrderSubdivide_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory> // for the model
 #include <string> // for names
-#include <vector> // for names
 
 namespace pixelexact
 {
@@ -71,8 +71,8 @@ public:
   /**
    * Names of the fields that the output has; none: all. A name that the grid lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
 protected:
@@ -93,7 +93,7 @@ private:
   int Level = 2;
   double Tolerance = 0.0;
   vtkIdType NumberOfCoarseElements = 0;
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   std::unique_ptr<pixelexact::ModelSource> Source;
 };
 

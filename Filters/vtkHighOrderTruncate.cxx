@@ -30,19 +30,7 @@ void vtkHighOrderTruncate::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Order: " << this->Order << "\n";
   os << indent << "Bounds: " << this->Bounds << "\n";
-  pixelexact::PrintFields(os, indent, this->Fields);
-}
-
-void vtkHighOrderTruncate::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkHighOrderTruncate::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
+  pixelexact::PrintFields(os, indent, this->Fields.All());
 }
 
 int vtkHighOrderTruncate::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -57,9 +45,9 @@ std::map<std::string, double> vtkHighOrderTruncate::Truncate(
   using namespace pixelexact;
   const auto model = this->Source->Get(input, this);
   std::vector<Truncation> truncations;
-  for (const Field* field : FieldsNamed(*model, this->Fields))
+  for (const Field* field : FieldsNamed(*model, this->Fields.All()))
   {
-    if (field->function == nullptr || !this->Fields.empty())
+    if (field->function == nullptr || !this->Fields.All().empty())
     {
       truncations.emplace_back(*field, this->Order);
     }

@@ -19,13 +19,13 @@
 #ifndef vtkHighOrderTruncate_h
 #define vtkHighOrderTruncate_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
 #include <map>    // for changes
 #include <memory> // for the model
 #include <string> // for names
-#include <vector> // for names
 
 namespace pixelexact
 {
@@ -60,8 +60,8 @@ public:
   /**
    * Names of the fields that are truncated; none: all. A name that the grid lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
 protected:
@@ -84,7 +84,7 @@ private:
 
   int Order = 1;
   bool Bounds = true;
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   std::unique_ptr<pixelexact::ModelSource> Source;
   bool InBlocks = false; ///< in a parallel run
 };

@@ -31,24 +31,12 @@ vtkUnstructuredGridToHighOrderGrid::~vtkUnstructuredGridToHighOrderGrid() = defa
 void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  PrintFields(os, indent, this->Fields);
+  PrintFields(os, indent, this->Fields.All());
   os << indent << "NodePlacement: "
      << (this->NodePlacement == GAUSS_LOBATTO ? "Gauss-Lobatto-Legendre\n" : "equispaced\n");
   os << indent << "MirroredWedges: " << this->MirroredWedges << "\n";
   os << indent << "Diagnose: " << this->Diagnose << "\n";
   os << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n";
-}
-
-void vtkUnstructuredGridToHighOrderGrid::AddField(const std::string& name)
-{
-  this->Fields.push_back(name);
-  this->Modified();
-}
-
-void vtkUnstructuredGridToHighOrderGrid::ClearFields()
-{
-  this->Fields.clear();
-  this->Modified();
 }
 
 int vtkUnstructuredGridToHighOrderGrid::GetNumberOfNonFiniteElements(const std::string& field)
@@ -98,7 +86,7 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
       }
     }
     const auto report = ConvertGrid(input,
-      { this->Fields, this->Diagnose,
+      { this->Fields.All(), this->Diagnose,
         { this->NodePlacement == GAUSS_LOBATTO, this->MirroredWedges },
         [this](double done) { this->UpdateProgress(done); } },
       *this->Kept, output);

@@ -31,13 +31,13 @@
 #ifndef vtkUnstructuredGridToHighOrderGrid_h
 #define vtkUnstructuredGridToHighOrderGrid_h
 
+#include "FieldSelection.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkHighOrderGridAlgorithm.h"
 
 #include <map>    // for counts
 #include <memory> // for the mesh
 #include <string> // for names
-#include <vector> // for names
 
 namespace pixelexact
 {
@@ -56,8 +56,8 @@ public:
    * Names of the arrays of point and cell data to convert. None: all that are numeric and no
    * bookkeeping (ids, ghost flags, weights, degrees). A name that the input lacks is an error.
    */
-  void AddField(const std::string& name);
-  void ClearFields();
+  void AddField(const std::string& name) { this->Fields.Add(name); }
+  void ClearFields() { this->Fields.Clear(); }
   ///@}
 
   ///@{
@@ -121,7 +121,7 @@ private:
   vtkUnstructuredGridToHighOrderGrid(const vtkUnstructuredGridToHighOrderGrid&) = delete;
   void operator=(const vtkUnstructuredGridToHighOrderGrid&) = delete;
 
-  std::vector<std::string> Fields;
+  pixelexact::FieldSelection Fields{ this };
   int NodePlacement = EQUISPACED;
   bool MirroredWedges = false;
   bool Diagnose = true;
