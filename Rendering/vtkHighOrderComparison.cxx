@@ -9,8 +9,8 @@
 #include "Surfaces/VtkLinearSurface.h"
 #include "Surfaces/VtkSurface.h"
 #include "Trace/Compare/TracedPicture.h"
-#include "Views/CameraOfFilter.h"
 #include "Views/FieldChoice.h"
+#include "Views/FittedView.h"
 #include "Views/GridModel.h"
 
 #include "vtkDataObject.h"

@@ -7,8 +7,8 @@
 #include "HighOrderModel.h"
 #include "Surfaces/SeenCut.h"
 #include "Surfaces/VtkSurface.h"
-#include "Views/CameraOfFilter.h"
 #include "Views/FieldChoice.h"
+#include "Views/FittedView.h"
 #include "Views/GridModel.h"
 
 #include "vtkDoubleArray.h"

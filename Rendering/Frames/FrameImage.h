@@ -4,7 +4,7 @@
 #include "HighOrderModel.h"
 #include "PixelExactRenderingModule.h"
 #include "Trace/Frame.h"
-
+#include "Trace/Renderer.h"
 #include "vtkSmartPointer.h"
 
 #include <cstdint>
@@ -14,6 +14,17 @@ class vtkImageData;
 
 namespace pixelexact
 {
+class HighOrderModel;
+
+/// A frame of the model as ToImageData makes it, and the verdicts on its contours.
+[[nodiscard]] vtkSmartPointer<vtkImageData> ToImageData(
+  const Renderer& frames, const HighOrderModel& model, const Frame& frame);
+
+/// The view's complete frame; `allBuffers`: with all buffers. Null where it was aborted. Throws
+/// Error.
+[[nodiscard]] vtkSmartPointer<vtkImageData> TracePicture(Renderer& frames, const View& view,
+  const HighOrderModel& model, bool allBuffers, const Progress& progress);
+
 /// The buffers of a frame (BufferTable.h) and its image as point arrays of an image, one point per
 /// pixel, lower left first. Buffers that the frame does not hold have no array; of what is seen
 /// through translucent layers only the image tells.

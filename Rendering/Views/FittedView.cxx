@@ -2,6 +2,7 @@
 #include "Views/FittedView.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Surfaces/Surface.h"
 #include "Views/VtkCamera.h"
 
 #include <glm/common.hpp>
@@ -15,6 +16,18 @@
 
 namespace pixelexact
 {
+Camera CameraOfFilter(
+  vtkCamera* camera, const Surface& surface, const Box3& box, int width, int height)
+{
+  if (camera != nullptr)
+  {
+    return SetupOf(camera, width, height).Make();
+  }
+  const Vec3 towards =
+    surface.IsFlat() ? surface.Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
+  return { ViewOfBox(box, towards, width, height, Vec3(0.0, 1.0, 0.0), true), width, height };
+}
+
 namespace
 {
 /// Of an image's side, at most.

@@ -10,8 +10,18 @@
 
 // Where the camera stands that nobody placed: the same for the command-line program and for
 // vtkHighOrderPicture.
+
+class vtkCamera;
+
 namespace pixelexact
 {
+class Surface;
+
+/// The camera of a filter that needs one. Of null: all of the box, in parallel, along the normal of
+/// a flat surface, of others from (1, 1, 1). Throws Error for a box that is empty.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT Camera CameraOfFilter(
+  vtkCamera* camera, const Surface& surface, const Box3& box, int width, int height);
+
 /// z points up, as in most drawings of solids, except where one looks along it.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT Vec3 UsualUp(const Vec3& towardsViewer);
 

@@ -6,6 +6,19 @@
 
 namespace pixelexact
 {
+bool AbortCheck::IsAborted()
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (Window->GetInAbortCheck() == 0 && now - Last >= std::chrono::milliseconds(10))
+  {
+    Last = now;
+    Window->SetInAbortCheck(1);
+    Window->InvokeEvent(vtkCommand::AbortCheckEvent, nullptr);
+    Window->SetInAbortCheck(0);
+  }
+  return Window->GetAbortRender() != 0;
+}
+
 namespace
 {
 constexpr unsigned long kMilliseconds = 1;

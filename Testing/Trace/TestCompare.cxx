@@ -4,7 +4,6 @@
 #include "Core/Math/Rounding.h"
 #include "Trace/Compare/LinearSurface.h"
 #include "Trace/Compare/PictureErrors.h"
-#include "Trace/Compare/PixelDistance.h"
 #include "TrueVerdicts.h"
 
 #include <gtest/gtest.h>

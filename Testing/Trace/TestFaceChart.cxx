@@ -3,8 +3,8 @@
 #include "CurvedCheck.h"
 
 #include "Core/Location/Sample.h"
-#include "Trace/Surfaces/Curved/FaceBox.h"
 #include "Trace/Surfaces/Curved/FaceChart.h"
+#include "Trace/Surfaces/Curved/FaceNormals.h"
 
 #include <gtest/gtest.h>
 

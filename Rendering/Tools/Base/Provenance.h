@@ -7,6 +7,18 @@
 
 namespace pixelexact
 {
+/// The words of a command line, and those that were chosen.
+struct RepeatedCommand
+{
+  std::vector<std::string> given;
+  std::vector<std::string> chosen;
+
+  /// That of the same picture.
+  [[nodiscard]] std::vector<std::string> Words() const;
+  /// The same for a shell.
+  [[nodiscard]] std::string Text() const;
+};
+
 /// What a picture's file says of itself: keys and texts.
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Command.h"
+#include "Base/FileOrPipe.h"
 #include "Base/Output.h"
-#include "Base/OutputFolder.h"
 #include "Base/Report.h"
 #include "Commands/DifferenceCommand.h"
 #include "Input/PatchFile.h"

@@ -2,10 +2,10 @@
 #include "Commands/DifferenceCommand.h"
 
 #include "Base/Command.h"
+#include "Base/FileOrPipe.h"
 #include "Base/Output.h"
-#include "Base/OutputFolder.h"
 #include "Base/Report.h"
-#include "Picture/PictureName.h"
+#include "Picture/PictureFile.h"
 #include "Scene/Shot.h"
 #include "Trade/Convergence.h"
 #include "Trade/DifferenceOptions.h"

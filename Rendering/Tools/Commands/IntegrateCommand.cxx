@@ -7,7 +7,7 @@
 #include "Cuts/IntegralRows.h"
 #include "Input/Input.h"
 #include "Scene/Model.h"
-#include "Trade/LinearIntegral.h"
+#include "Trade/LinearContours.h"
 
 #include "Core/Base/Error.h"
 #include <fmt/format.h>

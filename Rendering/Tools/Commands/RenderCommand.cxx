@@ -7,10 +7,9 @@
 #include "Picture/Animation.h"
 #include "Picture/DrawnShot.h"
 #include "Picture/PictureFile.h"
-#include "Picture/PictureName.h"
 #include "Picture/RenderOptions.h"
 #include "Picture/RenderReport.h"
-#include "Picture/SeveralProcesses.h"
+#include "Picture/SharedTrace.h"
 
 #include <algorithm>
 #include <functional>

@@ -2,8 +2,8 @@
 #include "Picture/Pictures.h"
 
 #include "Base/Report.h"
+#include "Picture/AnimationFrames.h"
 #include "Picture/DrawnShot.h"
-#include "Picture/FrameProgress.h"
 #include "Picture/Projection.h"
 #include "Picture/RenderOptions.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/RepeatedCommand.h"
+#include "Base/Provenance.h"
 #include "Picture/ContourReport.h"
 #include "Scene/Knobs.h"
 #include "Scene/LayerRanges.h"

@@ -3,8 +3,19 @@
 
 #include "Trace/Tracer.h"
 
+#include <string>
+
+// What several processes do not do together.
 namespace pixelexact
 {
+struct RenderOptions;
+
+/// Throws UsageError where there are several: `what` is for one process.
+void RefuseSeveralProcesses(const std::string& what);
+
+/// The same for options of render that ask for more of the mesh than surfaces meet.
+void CheckForSeveralProcesses(const RenderOptions& options);
+
 struct View;
 
 /// Trace(View) by several processes, which hold the same view and all call it: tile by tile in

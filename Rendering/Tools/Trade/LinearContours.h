@@ -7,10 +7,28 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
+
+class vtkImplicitFunction;
+class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+/// What VTK's filters make of a cut: elements cut into linear cells (vtkHighOrderSubdivide, level
+/// 0 to 5), vtkCutter, vtkIntegrateAttributes.
+struct LinearIntegral
+{
+  double area = 0.0;
+  std::vector<double> integrals; ///< of the field's components
+  std::int64_t triangles = 0;
+};
+/// `field`: empty: none. Throws Error with what VTK says.
+LinearIntegral IntegrateLinearly(
+  vtkUnstructuredGrid* grid, vtkImplicitFunction* function, const std::string& field, int level);
+
 /// VTK's contours of a layer's field on triangles that hold it by its name, of the values at their
 /// corners: ready to be updated. Null where they do not hold it.
 [[nodiscard]] vtkSmartPointer<vtkContourFilter> MakeLinearContours(

@@ -10,6 +10,10 @@
 
 namespace pixelexact
 {
+/// Runs the command-line tool that is beside this program, without its table, and waits for it.
+/// Whether it succeeded; what it says goes to stderr.
+bool RunTool(const std::vector<std::string>& words);
+
 /// What a window shows, beside what its command line said.
 struct ShownNow
 {

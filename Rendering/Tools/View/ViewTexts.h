@@ -1,17 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 
+#include <functional>
 #include <string>
+#include <utility>
 
 class vtkLookupTable;
 class vtkRenderer;
 class vtkScalarBarActor;
 class vtkTextActor;
 
+class vtkRenderWindowInteractor;
+class vtkSliderRepresentation2D;
+class vtkSliderWidget;
+
 namespace pixelexact
 {
+/// Calls a function at an event; what it holds lives as long as the object.
+template <class Function>
+void Observe(vtkObject* object, unsigned long event, Function function)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(new Function(std::move(function)));
+  command->SetClientDataDeleteCallback([](void* client) { delete static_cast<Function*>(client); });
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void*) { (*static_cast<Function*>(client))(); });
+  object->AddObserver(event, command);
+}
+
+/// A slider over time steps.
+class StepSlider
+{
+public:
+  StepSlider();
+  ~StepSlider();
+  StepSlider(const StepSlider&) = delete;
+  StepSlider& operator=(const StepSlider&) = delete;
+
+  /// `moved`: called with the step where it was let go.
+  void AddTo(vtkRenderWindowInteractor* interactor, int steps, std::function<void(int)> moved);
+  void Set(int step);
+
+private:
+  vtkNew<vtkSliderWidget> Slider;
+  vtkNew<vtkSliderRepresentation2D> Shape;
+};
+
 /// What a window tells over its picture: a line of what is there, the keys, the colours' bar.
 class ViewTexts
 {

@@ -2,10 +2,10 @@
 #include "View/ViewWindow.h"
 
 #include "Base/Command.h"
-#include "Base/RepeatedCommand.h"
+#include "Base/Provenance.h"
 #include "Base/Report.h"
-#include "View/Observe.h"
-#include "View/Spawn.h"
+#include "View/ShellWords.h"
+#include "View/ViewTexts.h"
 
 #include "Core/Base/Error.h"
 #include "Views/VtkCamera.h"
@@ -95,7 +95,8 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   Options.Check(NameOfFile(Options, 0));
   if (Options.debug.NeedsPureColors())
   {
-    Note("--owners, --show and --show-undecided are drawn in saved figures (key s), not in the window");
+    Note("--owners, --show and --show-undecided are drawn in saved figures (key s), not in the "
+         "window");
   }
   TheShot.emplace(Prepare(Options.shot, Watch));
   Dragged = MakeDragged(*TheShot->scene.layers.front().surface, Options.shot.surfaces.First());

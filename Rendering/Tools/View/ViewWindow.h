@@ -5,7 +5,6 @@
 #include "Picture/RenderOptions.h"
 #include "View/DraggedShape.h"
 #include "View/ShellWords.h"
-#include "View/StepSlider.h"
 #include "View/ViewScene.h"
 #include "View/ViewTexts.h"
 

@@ -12,6 +12,12 @@
 
 namespace pixelexact
 {
+/// Of each pixel's centre to that of the nearest pixel of a mark, in pixels; infinite where there
+/// is none. Felzenszwalb and Huttenlocher, Distance Transforms of Sampled Functions, 2012: exact,
+/// in time linear in the pixels.
+[[nodiscard]] std::vector<double> DistanceToMarked(
+  std::span<const std::uint8_t> pixels, std::uint8_t mark, int width, int height);
+
 /// What a picture says of each pixel, lower-left first.
 struct Picture
 {

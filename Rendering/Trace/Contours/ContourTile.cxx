@@ -2,8 +2,8 @@
 #include "Trace/Contours/ContourTile.h"
 
 #include "Core/Math/Rounding.h"
-#include "Trace/Contours/EdgeSample.h"
 #include "Trace/Contours/FlatBlocks.h"
+#include "Trace/Contours/LayerSight.h"
 #include "Trace/Contours/PixelInteriors.h"
 
 #include <glm/common.hpp>

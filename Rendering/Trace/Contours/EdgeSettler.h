@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Contours/EdgeState.h"
 #include "Trace/Contours/LayerSight.h"
 #include "Trace/Modules/ContourCertifier.h"
 
@@ -11,6 +10,14 @@
 
 namespace pixelexact
 {
+/// Of an edge, or of a pixel by its edges.
+enum class EdgeState : std::uint8_t
+{
+  Out,
+  Undecided,
+  In
+};
+
 /// Settles a tile's edges, and halves those that are open.
 class EdgeSettler
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Trace/Contours/EdgeJudge.h"
-#include "Trace/Contours/EdgeState.h"
+#include "Trace/Contours/EdgeSettler.h"
 #include "Trace/Contours/LayerSight.h"
 
 #include <array>

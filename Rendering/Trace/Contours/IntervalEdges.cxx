@@ -3,7 +3,6 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Questions/ValueSet.h"
-#include "Trace/Contours/IntervalLattice.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/TileVisit.h"
 

@@ -3,7 +3,7 @@
 
 #include "Core/Math/Interval.h"
 #include "Trace/Camera.h"
-#include "Trace/Contours/EdgeSample.h"
+#include "Trace/Contours/LayerSight.h"
 #include "Trace/Scene.h"
 
 #include <cstdint>

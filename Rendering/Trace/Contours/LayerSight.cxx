@@ -2,7 +2,6 @@
 #include "Trace/Contours/LayerSight.h"
 
 #include "Core/Shape/Shape.h"
-#include "Trace/Contours/EdgeSample.h"
 #include "Trace/Surfaces/ElementFaces.h"
 
 #include <glm/geometric.hpp>

@@ -2,15 +2,41 @@
 #pragma once
 
 #include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Frame.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
+#include "Trace/TraceTile.h"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace pixelexact
 {
+/// What is seen at a point of a pixel's edge.
+struct EdgeSample
+{
+  ImagePosition at{};
+  PixelVerdict verdict = PixelVerdict::Nothing;
+  std::uint8_t layer = kNoLayer;
+  int element = -1;
+  double value = 0.0;
+  Vec3 xi{ 0.0 };
+  Vec3 position{ 0.0 };
+};
+
+/// The buffers that a sample is made of.
+inline constexpr Buffer kEdgeSampleBuffers =
+  Buffer::Value | Buffer::Verdict | Buffer::Layer | Buffer::Element | Buffer::Xi | Buffer::Position;
+inline EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const ImagePosition& at)
+{
+  return { at, static_cast<PixelVerdict>(samples.verdict[i]), samples.layer[i],
+    static_cast<int>(samples.element[i]), samples.value.empty() ? std::nan("") : samples.value[i],
+    samples.xi[i], samples.position[i] };
+}
+
 class ElementFaces;
 
 /// What the rays of a tile see of one layer's surface.

@@ -3,7 +3,7 @@
 
 #include "Core/Faces/FacePlane.h"
 #include "Trace/Camera.h"
-#include "Trace/Modules/FacePixels.h"
+#include "Trace/Modules/FaceLines.h"
 
 #include <array>
 #include <cstdint>

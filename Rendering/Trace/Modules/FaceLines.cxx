@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Modules/FaceLines.h"
 
+#include "Core/Element/Kernels.h"
 #include "Core/Faces/FacePlane.h"
 #include "Trace/Modules/FaceKernels.h"
-#include "Trace/Modules/MappedPoints.h"
+#include "Trace/Modules/FaceSearch.h"
 #include "Trace/TileVisit.h"
 
 #include <glm/geometric.hpp>
@@ -11,9 +12,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace pixelexact
 {
+void FacePixels::Begin(std::size_t most)
+{
+  Size = 0;
+  Stride = static_cast<std::size_t>(PaddedCount(static_cast<int>(most)));
+  if (Storage.size() < kColumns * Stride)
+  {
+    Storage.resize(kColumns * Stride);
+  }
+}
+
+void FacePixels::Add(double u, double v, const Vec3& xi, const Vec3& position, const Vec3& normal)
+{
+  double* to = Storage.data() + Size;
+  const auto put = [&to, this](double value)
+  {
+    *to = value;
+    to += Stride;
+  };
+  put(u);
+  put(v);
+  for (const Vec3* const one : { &xi, &position, &normal })
+  {
+    put(one->x);
+    put(one->y);
+    put(one->z);
+  }
+  ++Size;
+}
+
 namespace
 {
 /// Distance of xi up to which a point is on a face.
@@ -240,5 +271,4 @@ void FaceLines::Begin(TileVisit& tile, std::span<const Run> runs, double reach)
     }
   }
 }
-
 } // namespace pixelexact

@@ -3,7 +3,6 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Core/Faces/FacePlane.h"
-#include "Trace/Modules/MappedPoints.h"
 #include "Trace/TileVisit.h"
 
 #include <glm/geometric.hpp>

@@ -2,11 +2,18 @@
 #pragma once
 
 #include "Core/Index/ElementIndex.h"
+#include "Trace/Surfaces/Curved/CurvedPiece.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 #include "Trace/Surfaces/Curved/PartSagitta.h"
 
 namespace pixelexact
 {
+/// What makes an iso-surface of a component of a field, or of its magnitude (kMagnitude; of a
+/// scalar field: the scalar). Throws Error for a component that is not there, for a value that is
+/// not a finite number or, of a magnitude, not positive; Unsupported for mapped fields (H(curl),
+/// H(div), density).
+CurvedEquation IsoEquation(const Mesh& mesh, const Field& field, int component, double value);
+
 class ValueIndex;
 
 /// Where a component of a field has a value. Elements whose certified range does not hold it are

@@ -6,7 +6,7 @@
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/HitsBehind.h"
 #include "Trace/Surfaces/Curved/JumpFaces.h"
-#include "Trace/Surfaces/IsoEquation.h"
+#include "Trace/Surfaces/IsoSurface.h"
 
 #include <algorithm>
 #include <cmath>

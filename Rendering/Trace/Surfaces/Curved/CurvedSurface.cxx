@@ -4,7 +4,6 @@
 #include "Core/Base/CheckedOut.h"
 #include "Trace/RunsByKey.h"
 #include "Trace/Scene.h"
-#include "Trace/Surfaces/Curved/FaceBox.h"
 #include "Trace/Surfaces/Curved/FaceNormals.h"
 
 #include <algorithm>

@@ -2,11 +2,18 @@
 #pragma once
 
 #include "Core/Math/Vec.h"
+#include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/Curved/FaceModes.h"
 
 #include <span>
 
 namespace pixelexact
 {
+/// A box in world coordinates that holds a face of an element, moved by the mesh's uncertainty;
+/// much smaller than the element's. Infinite where the map is not finite. `modes`: of the face, or
+/// null.
+Box3 FaceBox(const Mesh& mesh, const CurvedPart& part, const FaceModes* modes = nullptr);
+
 class FaceMap;
 
 /// The unit normals of an element's face at some xi, out of the element where its Jacobian is
