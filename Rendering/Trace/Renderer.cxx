@@ -14,7 +14,7 @@ namespace pixelexact
 {
 namespace
 {
-// What windows make depths of.
+// Windows compute depths from these.
 constexpr Buffer kDrawn = Buffer::Position | Buffer::Verdict;
 
 bool Includes(Buffer set, Buffer wanted)
@@ -82,7 +82,7 @@ void Renderer::MakePainter(const Frame* frame)
 
 Pipeline Renderer::TracingPipeline()
 {
-  // What follows from values is not known before they are traced.
+  // Ranges and iso-values that follow from values are not known before the frame is traced.
   return Current.appearance.NeedsFrame() ? Pipeline{} : Paints->MakePipeline();
 }
 
@@ -135,7 +135,7 @@ void Renderer::ShowPreview()
   }
   Shown = Passes->Preview();
   Step = std::max(1, Passes->Step());
-  // Of a frame that was to be made at once and was ended, others will be there the next time.
+  // A frame that was to be traced at once and was aborted has other tiles the next time.
   Previewed = Passes->Step() == 0 ? std::nullopt : std::optional(Passes->Step());
 }
 

@@ -98,7 +98,7 @@ private:
   /// Ranges, iso-values and modules of the view's appearance. `frame`: of its values; null: there
   /// is none yet.
   void MakePainter(const Frame* frame);
-  /// Of a frame that is being traced: without what follows from its values.
+  /// The pipeline of a frame while it is traced: without ranges that follow from its values.
   [[nodiscard]] Pipeline TracingPipeline();
   /// Paints what is there, the complete frame or a coarse one, in the view's appearance.
   void Paint();

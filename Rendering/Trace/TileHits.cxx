@@ -230,7 +230,7 @@ void TileHits::Reduce(std::size_t components)
   Upper.Resize(bounds);
 }
 
-/// Of all hits, or of those that are not outside.
+/// Visits all hits, or those that are not outside.
 void TileHits::FindNormals(bool ofAll)
 {
   const std::size_t count = Size();

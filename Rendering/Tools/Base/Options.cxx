@@ -123,7 +123,7 @@ void Relate(CLI::App& command, const Setting& row, CLI::Option* option)
   }
 }
 
-/// What the row states of an option that was added.
+/// Applies the rest of the row to an option that was added.
 void Finish(CLI::App& command, const Setting& row, CLI::Option* option)
 {
   std::string help(row.help);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// What several processes do not do together.
+// Pictures that several processes trace together, and options that one process alone takes.
 namespace pixelexact
 {
 struct RenderOptions;

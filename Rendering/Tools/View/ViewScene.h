@@ -46,7 +46,7 @@ public:
   {
     return FoundRanges;
   }
-  /// Of the first layer, for a colour bar; null: it has one colour.
+  /// The table of the first layer, for a colour bar; null: the layer has one colour.
   [[nodiscard]] vtkSmartPointer<vtkLookupTable> FirstTable(const Shot& shot) const;
 
 private:

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// Of an edge, or of a pixel by its edges.
+/// The state of an edge, or of a pixel by its edges.
 enum class EdgeState : std::uint8_t
 {
   Out,

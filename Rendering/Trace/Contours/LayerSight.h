@@ -15,7 +15,7 @@
 
 namespace pixelexact
 {
-/// What is seen at a point of a pixel's edge.
+/// The sample at a point of a pixel's edge.
 struct EdgeSample
 {
   ImagePosition at{};
