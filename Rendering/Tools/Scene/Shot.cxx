@@ -275,8 +275,6 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
 {
   options.camera.Check();
   options.colors.Check();
-  CheckColor("--edge-color", options.edgeColor);
-  CheckColor("--outline-color", options.outlineColor);
   Shot shot = MakeShot(options, stopwatch, nullptr);
   const Box3 box = BoxOf(*shot.input.model);
   const auto& first = shot.scene.layers.front().surface;

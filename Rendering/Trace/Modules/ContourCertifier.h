@@ -63,10 +63,8 @@ struct ContourMethod
   int quarterings = 6; ///< of a pixel's square, for that
   int squares = 64;    ///< of a pixel that are open at once
 
-  static constexpr double kLeastEffort = 1e-3;
-  static constexpr double kMostEffort = 1e3;
-  /// Makes that so many times as much as usual, kLeastEffort to kMostEffort: a doubling halves and
-  /// quarters once more.
+  /// Multiplies the limits by `effort`, 0.001 to 1000. A doubling adds one more subdivision of
+  /// edges and of pixels.
   void SetEffort(double effort);
 
   bool operator==(const ContourMethod&) const = default;
