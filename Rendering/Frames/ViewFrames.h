@@ -20,6 +20,8 @@ class vtkWindow;
 
 namespace pixelexact
 {
+class HighOrderModel;
+
 /// The frame of one view, and what of it is drawn.
 struct ViewFrame
 {

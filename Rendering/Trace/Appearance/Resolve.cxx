@@ -5,6 +5,7 @@
 #include "Core/Contour/RoundValues.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Appearance/FieldRange.h"
+#include "Trace/View.h"
 
 #include <algorithm>
 #include <cmath>
