@@ -572,7 +572,8 @@ std::optional<pixelexact::PickedSample> vtkHighOrderMapper::PickSample(
   {
     return std::nullopt;
   }
-  return pixelexact::Pick(this->Data->Picks, view, *this->Data->Drawer.LatestModel(), ray, this);
+  return pixelexact::Pick(this->Data->Picks, view, *this->Data->Drawer.LatestModel(),
+    this->Data->Drawer.Ranges(), ray, this);
 }
 
 //------------------------------------------------------------------------------
@@ -592,7 +593,8 @@ vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Rende
   }
   pixelexact::Complete(sight, view);
   const auto picture =
-    pixelexact::TracePicture(frames, view, *this->Data->Drawer.LatestModel(), allBuffers, progress);
+    pixelexact::TracePicture(frames, view, { .ranges = this->Data->Drawer.Ranges() },
+      *this->Data->Drawer.LatestModel(), allBuffers, progress);
   this->TakeRange(frames);
   this->TakeContours(frames);
   return picture;

@@ -29,9 +29,9 @@ vtkSmartPointer<vtkImageData> ToImageData(
 }
 
 vtkSmartPointer<vtkImageData> TracePicture(Renderer& frames, const View& view,
-  const HighOrderModel& model, bool allBuffers, const Progress& progress)
+  const RenderWork& work, const HighOrderModel& model, bool allBuffers, const Progress& progress)
 {
-  const Frame* frame = &frames.Render(view, {}, progress);
+  const Frame* frame = &frames.Render(view, work, progress);
   return frames.IsComplete()
     ? ToImageData(frames, model, allBuffers ? *frames.FrameWithAllBuffers() : *frame)
     : nullptr;

@@ -23,7 +23,7 @@ class HighOrderModel;
 /// The view's complete frame; `allBuffers`: with all buffers. Null where it was aborted. Throws
 /// Error.
 [[nodiscard]] vtkSmartPointer<vtkImageData> TracePicture(Renderer& frames, const View& view,
-  const HighOrderModel& model, bool allBuffers, const Progress& progress);
+  const RenderWork& work, const HighOrderModel& model, bool allBuffers, const Progress& progress);
 
 /// The buffers of a frame (BufferTable.h) and its image as point arrays of an image, one point per
 /// pixel, lower left first. Buffers that the frame does not hold have no array; of what is seen

@@ -110,11 +110,11 @@ PickedSample Describe(
 }
 } // namespace
 
-std::optional<PickedSample> Pick(
-  Renderer& frames, View view, const HighOrderModel& model, const PickRay& ray, vtkMapper* mapper)
+std::optional<PickedSample> Pick(Renderer& frames, View view, const HighOrderModel& model,
+  const std::shared_ptr<FieldRanges>& ranges, const PickRay& ray, vtkMapper* mapper)
 {
   const ImagePosition position = Aim(ray, mapper, view);
-  const SampleBuffers samples = frames.Sample(view, { &position, 1 });
+  const SampleBuffers samples = frames.Sample(view, { &position, 1 }, ranges);
   const auto describe = [&](const SampleBuffers& sheet) -> std::optional<PickedSample>
   {
     if (!(ray.opacity > 0.0) || sheet.color[3] == 0 || !Reaches(ray, sheet))

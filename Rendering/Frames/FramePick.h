@@ -50,7 +50,7 @@ struct PickedSample
 
 /// The first sample along the ray that is shown (its colour and the actor not wholly transparent),
 /// between near and far plane or start and end, inside of the mapper's clipping planes. Throws
-/// Error. `view`: of the model, completed here.
-std::optional<PickedSample> Pick(
-  Renderer& frames, View view, const HighOrderModel& model, const PickRay& ray, vtkMapper* mapper);
+/// Error. `view`: of the model, completed here. `ranges`: those of its fields.
+std::optional<PickedSample> Pick(Renderer& frames, View view, const HighOrderModel& model,
+  const std::shared_ptr<FieldRanges>& ranges, const PickRay& ray, vtkMapper* mapper);
 } // namespace pixelexact

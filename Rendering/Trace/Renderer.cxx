@@ -246,11 +246,12 @@ void Renderer::Update(const View& view, const RenderWork& work, const Progress& 
   }
 }
 
-SampleBuffers Renderer::Sample(const View& view, std::span<const ImagePosition> positions)
+SampleBuffers Renderer::Sample(
+  const View& view, std::span<const ImagePosition> positions, std::shared_ptr<FieldRanges> ranges)
 {
   DropFrame();
   Current = view;
-  Ranges = std::make_shared<FieldRanges>();
+  Ranges = ranges ? std::move(ranges) : std::make_shared<FieldRanges>();
   MakePainter(nullptr);
   const Pipeline pipeline = Paints->MakePipeline();
   const Camera camera = view.camera.Make();

@@ -59,7 +59,9 @@ public:
 
   /// Samples of the view at `positions` alone, with the usual buffers and colours; those of a
   /// pixel's centre are the pixel's, bit for bit. There is no frame afterwards. Throws Error.
-  SampleBuffers Sample(const View& view, std::span<const ImagePosition> positions);
+  /// `ranges`: as RenderWork::ranges.
+  SampleBuffers Sample(const View& view, std::span<const ImagePosition> positions,
+    std::shared_ptr<FieldRanges> ranges = nullptr);
 
   /// The last frame, complete and with all of its buffers: traced once more where it lacks some.
   /// Null when there is none.
