@@ -378,8 +378,8 @@ private:
         {
           list.append(list.empty() ? "" : ", ").append(std::to_string(id));
         }
-        add("the field '" + name + "' has no values in block" +
-          (missing->second.size() == 1 ? " " : "s ") + list + "; it is NaN there.");
+        const std::string blocks = missing->second.size() == 1 ? "block " : "blocks ";
+        add("the field '" + name + "' has no values in " + blocks + list + "; it is NaN there.");
       }
     }
     if (HasSingles && HasDoubles)
