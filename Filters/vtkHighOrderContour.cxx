@@ -6,15 +6,12 @@
 #include "Core/Contour/RoundValues.h"
 #include "Cuts/ContourPolyData.h"
 #include "Cuts/VtkCutFunction.h"
-#include "Grids/FilterInput.h"
-#include "Parts/ParallelRun.h"
+#include "HighOrderModel.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 
 #include "vtkImplicitFunction.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -49,9 +46,8 @@ void RequireComponent(const Field& field, int component)
 } // namespace
 
 vtkHighOrderContour::vtkHighOrderContour()
-  : Values(std::make_unique<ContourList>())
-  , Source(std::make_unique<ModelSource>())
-  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
+  : MeshFilter(MeshScope::WholeOnFirst)
+  , Values(std::make_unique<ContourList>())
 {
 }
 
@@ -168,27 +164,20 @@ void vtkHighOrderContour::GenerateRoundValues(int number, double rangeStart, dou
   }
 }
 
-int vtkHighOrderContour::FillInputPortInformation(int /*port*/, vtkInformation* info)
+void vtkHighOrderContour::ResetReport()
 {
-  TakeGrids(info);
-  return 1;
+  this->NumberOfUncertifiedLines = 0;
+  this->NumberOfUndecidedElements = 0;
+  this->ReportText.clear();
 }
 
-int vtkHighOrderContour::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  // Lines go on from piece to piece.
-  AskForParts(inputVector[0], outputVector);
-  return 1;
-}
-
-void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
+bool vtkHighOrderContour::Make(vtkDataObject* mesh, vtkPolyData* output)
 {
   if (!this->CutFunction)
   {
     throw InvalidData("there is no cut function; give one with SetCutFunction.");
   }
-  const auto model = this->Source->Get(grid, this);
+  const auto model = this->ModelOf(mesh);
   const std::string name = ChosenName(this, this->FieldName);
   const Field& field = FieldIn(*model, name);
   RequireComponent(field, this->Component);
@@ -219,19 +208,5 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
   {
     vtkWarningMacro(<< doubts);
   }
-}
-
-int vtkHighOrderContour::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkPolyData::GetData(outputVector);
-  this->NumberOfUncertifiedLines = 0;
-  this->NumberOfUndecidedElements = 0;
-  this->ReportText.clear();
-  return this->Mesh->Fill(this, inputVector[0], outputVector,
-    [&](vtkDataObject* mesh)
-    {
-      this->Trace(mesh, output);
-      return true;
-    });
+  return true;
 }

@@ -22,11 +22,11 @@
 #ifndef vtkHighOrderContour_h
 #define vtkHighOrderContour_h
 
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the cut function
 
-#include <memory> // for the model
 #include <string> // for the report
 #include <vector> // for values
 
@@ -35,15 +35,14 @@ class vtkImplicitFunction;
 namespace pixelexact
 {
 class ContourList;
-class ModelSource;
-class WholeMesh;
-} // namespace pixelexact
+}
 
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderContour : public vtkPolyDataAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderContour
+  : public PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm)
 {
 public:
   static vtkHighOrderContour* New();
-  vtkTypeMacro(vtkHighOrderContour, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHighOrderContour, PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Includes the cut function's.
@@ -119,18 +118,12 @@ protected:
   vtkHighOrderContour();
   ~vtkHighOrderContour() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void ResetReport() override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderContour(const vtkHighOrderContour&) = delete;
   void operator=(const vtkHighOrderContour&) = delete;
-
-  /// Throws Error.
-  void Trace(vtkDataObject* grid, vtkPolyData* output);
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   std::unique_ptr<pixelexact::ContourList> Values;
@@ -140,8 +133,6 @@ private:
   vtkIdType NumberOfUncertifiedLines = 0;
   vtkIdType NumberOfUndecidedElements = 0;
   std::string ReportText;
-  std::unique_ptr<pixelexact::ModelSource> Source;
-  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

@@ -4,16 +4,12 @@
 #include "Conversion/ModelSource.h"
 #include "Cuts/IntegralPieces.h"
 #include "Cuts/IntegralRows.h"
-#include "Grids/FilterInput.h"
 #include "HighOrderModel.h"
-#include "Parts/ParallelRun.h"
 
 #include "Core/Base/Error.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImplicitFunction.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
@@ -67,8 +63,7 @@ void ToTable(const std::vector<IntegralRow>& rows, vtkTable* table)
 } // namespace
 
 vtkHighOrderIntegrate::vtkHighOrderIntegrate()
-  : Source(std::make_unique<ModelSource>())
-  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
+  : MeshFilter(MeshScope::WholeOnFirst)
 {
 }
 
@@ -166,19 +161,6 @@ int vtkHighOrderIntegrate::GetNumberOfBoundaryAttributes()
   return static_cast<int>(this->Attributes.size());
 }
 
-int vtkHighOrderIntegrate::FillInputPortInformation(int /*port*/, vtkInformation* info)
-{
-  TakeGrids(info);
-  return 1;
-}
-
-int vtkHighOrderIntegrate::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  AskForParts(inputVector[0], outputVector);
-  return 1;
-}
-
 int vtkHighOrderIntegrate::Chosen() const
 {
   if (this->Over == OverCutFunction && !this->CutFunction)
@@ -198,10 +180,16 @@ int vtkHighOrderIntegrate::Chosen() const
   return this->CutFunction ? OverCutFunction : iso ? OverIsoSurface : OverBoundary;
 }
 
-void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
+void vtkHighOrderIntegrate::ResetReport()
+{
+  this->ToleranceMet = false;
+  this->UnresolvedArea = 0.0;
+}
+
+bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
 {
   const int over = this->Chosen();
-  const auto model = this->Source->Get(grid, this);
+  const auto model = this->ModelOf(mesh);
   IntegralQuestion question{ model->GetMesh(),
     FieldOrNull(*model, ChosenName(this, this->FieldName)), nullptr };
   const IntegralEffort effort{ this->Tolerance,
@@ -247,18 +235,5 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
   {
     vtkWarningMacro(<< doubts);
   }
-}
-
-int vtkHighOrderIntegrate::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkTable::GetData(outputVector);
-  this->ToleranceMet = false;
-  this->UnresolvedArea = 0.0;
-  return this->Mesh->Fill(this, inputVector[0], outputVector,
-    [&](vtkDataObject* mesh)
-    {
-      this->Integrate(mesh, output);
-      return true;
-    });
+  return true;
 }

@@ -19,6 +19,7 @@
 #ifndef vtkHighOrderIntegrate_h
 #define vtkHighOrderIntegrate_h
 
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkSmartPointer.h" // for the cut function
 #include "vtkTableAlgorithm.h"
@@ -30,17 +31,12 @@
 
 class vtkImplicitFunction;
 
-namespace pixelexact
-{
-class ModelSource;
-class WholeMesh;
-} // namespace pixelexact
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderIntegrate : public vtkTableAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderIntegrate
+  : public PIXELEXACT_MESH_FILTER(vtkTableAlgorithm)
 {
 public:
   static vtkHighOrderIntegrate* New();
-  vtkTypeMacro(vtkHighOrderIntegrate, vtkTableAlgorithm);
+  vtkTypeMacro(vtkHighOrderIntegrate, PIXELEXACT_MESH_FILTER(vtkTableAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Includes the cut function's.
@@ -146,18 +142,12 @@ protected:
   vtkHighOrderIntegrate();
   ~vtkHighOrderIntegrate() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void ResetReport() override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderIntegrate(const vtkHighOrderIntegrate&) = delete;
   void operator=(const vtkHighOrderIntegrate&) = delete;
-
-  /// Throws Error.
-  void Integrate(vtkDataObject* grid, vtkTable* output);
 
   /// One of OverCutFunction, OverIsoSurface, OverBoundary. Throws Error.
   [[nodiscard]] int Chosen() const;
@@ -174,8 +164,6 @@ private:
   double Seconds = 0.0;
   bool ToleranceMet = false;
   double UnresolvedArea = 0.0;
-  std::unique_ptr<pixelexact::ModelSource> Source;
-  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

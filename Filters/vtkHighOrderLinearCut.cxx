@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderLinearCut.h"
 
-#include "Conversion/ModelSource.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
@@ -10,7 +9,7 @@
 #include "Cuts/VtkCutFunction.h"
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Parts/ParallelRun.h"
+#include "HighOrderModel.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -102,8 +101,7 @@ Box3 CutBox(const HighOrderModel& model, vtkDataObject* grid)
 } // namespace
 
 vtkHighOrderLinearCut::vtkHighOrderLinearCut()
-  : Source(std::make_unique<ModelSource>())
-  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
+  : MeshFilter(MeshScope::WholeOnFirst)
 {
 }
 
@@ -137,32 +135,25 @@ vtkImplicitFunction* vtkHighOrderLinearCut::GetCutFunction()
   return this->CutFunction;
 }
 
-int vtkHighOrderLinearCut::FillInputPortInformation(int /*port*/, vtkInformation* info)
+void vtkHighOrderLinearCut::ResetReport()
 {
-  TakeGrids(info);
-  return 1;
+  this->NumberOfTrianglesAtTheRim = 0;
+  this->NumberOfPointsOffSurface = 0;
 }
 
-int vtkHighOrderLinearCut::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  AskForParts(inputVector[0], outputVector);
-  return 1;
-}
-
-bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
+bool vtkHighOrderLinearCut::Make(vtkDataObject* mesh, vtkPolyData* output)
 {
   if (!this->CutFunction)
   {
     throw InvalidData("there is no cut function; give one with SetCutFunction.");
   }
-  const auto model = this->Source->Get(grid, this);
+  const auto model = this->ModelOf(mesh);
   double perPoint = PointSampling::kBytesPerPoint + 100.0; // also Xi, Element, ... of the output
   for (const Field* field : FieldsNamed(*model, this->Fields.All()))
   {
     perPoint += 16.0 * field->values.components;
   }
-  const Box3 box = CutBox(*model, grid);
+  const Box3 box = CutBox(*model, mesh);
   const double extent = glm::length(box.upper - box.lower);
   const auto function = MakeCutFunction(this->CutFunction, extent > 0.0 ? extent : 1.0);
   const CutTriangles cut =
@@ -201,14 +192,4 @@ bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
                        "function whose gradient does not vanish there.");
   }
   return true;
-}
-
-int vtkHighOrderLinearCut::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkPolyData::GetData(outputVector);
-  this->NumberOfTrianglesAtTheRim = 0;
-  this->NumberOfPointsOffSurface = 0;
-  return this->Mesh->Fill(this, inputVector[0], outputVector,
-    [&](vtkDataObject* mesh) { return this->Cut(mesh, output); });
 }

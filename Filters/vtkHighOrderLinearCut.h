@@ -21,26 +21,21 @@
 #define vtkHighOrderLinearCut_h
 
 #include "FieldSelection.h"
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the cut function
 
-#include <memory> // for the model
 #include <string> // for names
 
 class vtkImplicitFunction;
 
-namespace pixelexact
-{
-class ModelSource;
-class WholeMesh;
-} // namespace pixelexact
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearCut : public vtkPolyDataAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearCut
+  : public PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm)
 {
 public:
   static vtkHighOrderLinearCut* New();
-  vtkTypeMacro(vtkHighOrderLinearCut, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHighOrderLinearCut, PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Includes the cut function's.
@@ -85,26 +80,18 @@ protected:
   vtkHighOrderLinearCut();
   ~vtkHighOrderLinearCut() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void ResetReport() override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderLinearCut(const vtkHighOrderLinearCut&) = delete;
   void operator=(const vtkHighOrderLinearCut&) = delete;
-
-  /// Throws Error. False where it was aborted.
-  bool Cut(vtkDataObject* grid, vtkPolyData* output);
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   int Resolution = 256;
   pixelexact::FieldSelection Fields{ this };
   vtkIdType NumberOfTrianglesAtTheRim = 0;
   vtkIdType NumberOfPointsOffSurface = 0;
-  std::unique_ptr<pixelexact::ModelSource> Source;
-  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

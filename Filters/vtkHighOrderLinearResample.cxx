@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderLinearResample.h"
 
-#include "Conversion/ModelSource.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Cuts/PointSampling.h"
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Parts/ParallelRun.h"
+#include "HighOrderModel.h"
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"
@@ -108,8 +107,7 @@ void SetGeometry(vtkImageData* image, const int dimensions[3], const double boun
 } // namespace
 
 vtkHighOrderLinearResample::vtkHighOrderLinearResample()
-  : Source(std::make_unique<ModelSource>())
-  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
+  : MeshFilter(MeshScope::WholeOnFirst)
 {
 }
 
@@ -127,12 +125,6 @@ void vtkHighOrderLinearResample::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   PrintFields(os, indent, this->Fields.All());
-}
-
-int vtkHighOrderLinearResample::FillInputPortInformation(int /*port*/, vtkInformation* info)
-{
-  TakeGrids(info);
-  return 1;
 }
 
 int vtkHighOrderLinearResample::FillOutputPortInformation(int /*port*/, vtkInformation* info)
@@ -156,25 +148,18 @@ int vtkHighOrderLinearResample::RequestInformation(vtkInformation* /*request*/,
   return 1;
 }
 
-int vtkHighOrderLinearResample::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  AskForParts(inputVector[0], outputVector);
-  return 1;
-}
-
-bool vtkHighOrderLinearResample::Resample(vtkDataObject* grid, vtkImageData* output)
+bool vtkHighOrderLinearResample::Make(vtkDataObject* mesh, vtkImageData* output)
 {
   const int* n = this->Dimensions;
   if (n[0] < 1 || n[1] < 1 || n[2] < 1)
   {
     throw InvalidData("Dimensions must be at least 1 in each direction.");
   }
-  const auto model = this->Source->Get(grid, this);
+  const auto model = this->ModelOf(mesh);
   const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
   output->Initialize();
   RequireRoom(n, FieldsNamed(*model, this->Fields.All()));
-  SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(grid).data());
+  SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(mesh).data());
   const PointSampling sampling(*model, PointsOf(output), ProgressOf(this, 0.0, 0.8));
   if (sampling.IsAborted())
   {
@@ -183,12 +168,4 @@ bool vtkHighOrderLinearResample::Resample(vtkDataObject* grid, vtkImageData* out
   sampling.AddFields({ this->Fields.All(), false }, output->GetPointData());
   Blank(output, sampling.Verdicts());
   return true;
-}
-
-int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkImageData::GetData(outputVector);
-  return this->Mesh->Fill(this, inputVector[0], outputVector,
-    [&](vtkDataObject* mesh) { return this->Resample(mesh, output); });
 }

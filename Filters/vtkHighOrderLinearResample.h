@@ -16,23 +16,18 @@
 #define vtkHighOrderLinearResample_h
 
 #include "FieldSelection.h"
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkImageAlgorithm.h"
 
-#include <memory> // for the model
 #include <string> // for names
 
-namespace pixelexact
-{
-class ModelSource;
-class WholeMesh;
-} // namespace pixelexact
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearResample : public vtkImageAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearResample
+  : public PIXELEXACT_MESH_FILTER(vtkImageAlgorithm)
 {
 public:
   static vtkHighOrderLinearResample* New();
-  vtkTypeMacro(vtkHighOrderLinearResample, vtkImageAlgorithm);
+  vtkTypeMacro(vtkHighOrderLinearResample, PIXELEXACT_MESH_FILTER(vtkImageAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -64,27 +59,18 @@ protected:
   vtkHighOrderLinearResample();
   ~vtkHighOrderLinearResample() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderLinearResample(const vtkHighOrderLinearResample&) = delete;
   void operator=(const vtkHighOrderLinearResample&) = delete;
 
-  /// Throws Error. False where it was aborted.
-  bool Resample(vtkDataObject* grid, vtkImageData* output);
-
   int Dimensions[3] = { 64, 64, 64 };
   double SamplingBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   pixelexact::FieldSelection Fields{ this };
-  std::unique_ptr<pixelexact::ModelSource> Source;
-  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPlotOverLine.h"
 
-#include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
 #include "Cuts/PointSampling.h"
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
-#include "Parts/ParallelRun.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -121,8 +117,7 @@ std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, c
 } // namespace
 
 vtkHighOrderPlotOverLine::vtkHighOrderPlotOverLine()
-  : Source(std::make_unique<pixelexact::ModelSource>())
-  , Mesh(std::make_unique<pixelexact::WholeMesh>(pixelexact::WholeMesh::Maker::First))
+  : MeshFilter(pixelexact::MeshScope::WholeOnFirst)
 {
 }
 
@@ -142,20 +137,7 @@ void vtkHighOrderPlotOverLine::PrintSelf(ostream& os, vtkIndent indent)
   pixelexact::PrintFields(os, indent, this->Fields.All());
 }
 
-int vtkHighOrderPlotOverLine::FillInputPortInformation(int /*port*/, vtkInformation* info)
-{
-  pixelexact::TakeGrids(info);
-  return 1;
-}
-
-int vtkHighOrderPlotOverLine::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  pixelexact::AskForParts(inputVector[0], outputVector);
-  return 1;
-}
-
-bool vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
+bool vtkHighOrderPlotOverLine::Make(vtkDataObject* mesh, vtkPolyData* output)
 {
   using pixelexact::Vec3;
   const Vec3 start(this->Point1[0], this->Point1[1], this->Point1[2]);
@@ -166,7 +148,7 @@ bool vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
     throw pixelexact::Error(
       "Point1 and Point2 must be finite, and not the same; they are the ends of the line");
   }
-  const auto model = this->Source->Get(grid, this);
+  const auto model = this->ModelOf(mesh);
   this->UpdateProgress(0.1);
   std::vector<double> places(static_cast<std::size_t>(this->Resolution) + 1);
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -216,12 +198,4 @@ bool vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
   }
   sampling.AddLocations(data);
   return true;
-}
-
-int vtkHighOrderPlotOverLine::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkPolyData::GetData(outputVector);
-  return this->Mesh->Fill(this, inputVector[0], outputVector,
-    [&](vtkDataObject* mesh) { return this->Plot(mesh, output); });
 }

@@ -19,23 +19,18 @@
 #define vtkHighOrderPlotOverLine_h
 
 #include "FieldSelection.h"
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for the model
 #include <string> // for names
 
-namespace pixelexact
-{
-class ModelSource;
-class WholeMesh;
-} // namespace pixelexact
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderPlotOverLine : public vtkPolyDataAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderPlotOverLine
+  : public PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm)
 {
 public:
   static vtkHighOrderPlotOverLine* New();
-  vtkTypeMacro(vtkHighOrderPlotOverLine, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHighOrderPlotOverLine, PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -89,18 +84,11 @@ protected:
   vtkHighOrderPlotOverLine();
   ~vtkHighOrderPlotOverLine() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderPlotOverLine(const vtkHighOrderPlotOverLine&) = delete;
   void operator=(const vtkHighOrderPlotOverLine&) = delete;
-
-  /// Throws Error. False where it was aborted.
-  bool Plot(vtkDataObject* grid, vtkPolyData* output);
 
   double Point1[3] = { 0.0, 0.0, 0.0 };
   double Point2[3] = { 1.0, 0.0, 0.0 };
@@ -109,8 +97,6 @@ private:
   bool ComputeGradients = false;
   bool Enclosures = false;
   pixelexact::FieldSelection Fields{ this };
-  std::unique_ptr<pixelexact::ModelSource> Source;
-  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif
