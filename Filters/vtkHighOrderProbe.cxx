@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderProbe.h"
 
-#include "Conversion/ModelSource.h"
 #include "Cuts/PointSampling.h"
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
+#include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
 
 #include "vtkDataSet.h"
@@ -13,13 +13,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkHighOrderProbe);
 
 vtkHighOrderProbe::vtkHighOrderProbe()
-  : Source(std::make_unique<pixelexact::ModelSource>())
-  , Mesh(std::make_unique<pixelexact::WholeMesh>(pixelexact::WholeMesh::Maker::Each))
+  : MeshFilter(pixelexact::MeshScope::WholeOnEach, 1)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -49,8 +47,7 @@ int vtkHighOrderProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
   {
-    pixelexact::TakeGrids(info);
-    return 1;
+    return this->Superclass::FillInputPortInformation(port, info);
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
@@ -77,24 +74,19 @@ int vtkHighOrderProbe::RequestInformation(
 int vtkHighOrderProbe::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
-  {
-    return 0;
-  }
   this->PointsAreInBlocks =
     pixelexact::ComesInBlocks(this->PointsAreInBlocks, inputVector[0], outputVector);
-  pixelexact::AskForParts(inputVector[1], outputVector);
-  return 1;
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
-bool vtkHighOrderProbe::Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataSet* output)
+bool vtkHighOrderProbe::Make(vtkDataObject* mesh, vtkDataObject* output)
 {
   using namespace pixelexact;
-  output->CopyStructure(points);
-  const auto model = this->Source->Get(grid, this);
+  auto* points = vtkDataSet::SafeDownCast(output);
+  const auto model = this->ModelOf(mesh);
   const double located = this->Enclosures ? 0.3 : 0.7;
   const PointSampling sampling(*model, PointsOf(points), ProgressOf(this, 0.1, located));
-  vtkPointData* data = output->GetPointData();
+  vtkPointData* data = points->GetPointData();
   if (sampling.IsAborted() ||
     !sampling.AddFields({ this->Fields.All(), this->ComputeGradients, this->Enclosures }, data,
       ProgressOf(this, located, 1.0)))
@@ -109,8 +101,8 @@ bool vtkHighOrderProbe::Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataS
   return true;
 }
 
-int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkHighOrderProbe::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkDataSet::GetData(outputVector);
   if (this->PointsAreInBlocks)
@@ -121,7 +113,6 @@ int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVe
                   "(vtkAppendFilter, Merge Blocks)");
     return 1;
   }
-  return this->Mesh->Fill(this, inputVector[1], outputVector,
-    [&](vtkDataObject* mesh)
-    { return this->Sample(mesh, vtkDataSet::GetData(inputVector[0]), output); });
+  output->CopyStructure(vtkDataSet::GetData(inputVector[0]));
+  return this->Superclass::RequestData(request, inputVector, outputVector);
 }

@@ -29,26 +29,21 @@
 #define vtkHighOrderProbe_h
 
 #include "FieldSelection.h"
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
-#include <memory> // for the model
 #include <string> // for names
 
 class vtkDataObject;
 class vtkDataSet;
 
-namespace pixelexact
-{
-class ModelSource;
-class WholeMesh;
-} // namespace pixelexact
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderProbe : public vtkPassInputTypeAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderProbe
+  : public PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm)
 {
 public:
   static vtkHighOrderProbe* New();
-  vtkTypeMacro(vtkHighOrderProbe, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkHighOrderProbe, PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -106,20 +101,16 @@ protected:
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderProbe(const vtkHighOrderProbe&) = delete;
   void operator=(const vtkHighOrderProbe&) = delete;
 
-  /// Throws Error. False where it was aborted.
-  bool Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataSet* output);
-
   pixelexact::FieldSelection Fields{ this };
   bool ComputeGradients = false;
   bool Enclosures = false;
   bool Owners = false;
-  std::unique_ptr<pixelexact::ModelSource> Source;
-  std::unique_ptr<pixelexact::WholeMesh> Mesh;
   bool PointsAreInBlocks = false; ///< in a parallel run
 };
 
