@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderCalculator.h"
 
-#include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
-#include "Grids/FilterWork.h"
 #include "HighOrderArrays.h"
-#include "Parts/ParallelRun.h"
+#include "HighOrderModel.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -47,7 +44,7 @@ vtkSmartPointer<vtkDoubleArray> ValuesAtPoints(
 } // namespace
 
 vtkHighOrderCalculator::vtkHighOrderCalculator()
-  : Source(std::make_unique<ModelSource>())
+  : MeshFilter(MeshScope::PartByBlock)
 {
 }
 
@@ -61,16 +58,10 @@ void vtkHighOrderCalculator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointValues: " << this->PointValues << "\n";
 }
 
-int vtkHighOrderCalculator::FillInputPortInformation(int /*port*/, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
-}
-
-void vtkHighOrderCalculator::Define(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+bool vtkHighOrderCalculator::Make(vtkDataObject* mesh, vtkDataObject* output)
 {
   const std::string& name = this->ResultArrayName;
-  const auto model = this->Source->Get(input, this);
+  const auto model = this->ModelOf(mesh);
   if (name.empty() || this->Function.empty())
   {
     throw InvalidData(name.empty() ? "the new field has no name; set ResultArrayName."
@@ -82,31 +73,17 @@ void vtkHighOrderCalculator::Define(vtkUnstructuredGrid* input, vtkUnstructuredG
     throw InvalidData("the grid has a field '" + name + "'; choose another ResultArrayName.");
   }
   const Field& field = model->GetField(this->Function);
-  output->ShallowCopy(this->Source->GridOf(input));
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
+  grid->ShallowCopy(this->Input.GridOf(mesh));
   vtkNew<vtkStringArray> definition;
   definition->SetName((kDefinitionPrefix + name).c_str());
   definition->InsertNextValue(this->Function);
-  output->GetFieldData()->AddArray(definition);
+  grid->GetFieldData()->AddArray(definition);
   if (this->PointValues)
   {
-    const auto values = ValuesAtPoints(*model, field, output);
+    const auto values = ValuesAtPoints(*model, field, grid);
     values->SetName(name.c_str());
-    output->GetPointData()->AddArray(values);
+    grid->GetPointData()->AddArray(values);
   }
-}
-
-int vtkHighOrderCalculator::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  return FillOutput(this, output,
-    [&]
-    {
-      const bool any = !HasNoShare(inputVector[0]);
-      if (any)
-      {
-        this->Define(vtkUnstructuredGrid::GetData(inputVector[0]), output);
-      }
-      return any;
-    });
+  return true;
 }

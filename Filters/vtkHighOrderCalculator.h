@@ -20,22 +20,18 @@
 #ifndef vtkHighOrderCalculator_h
 #define vtkHighOrderCalculator_h
 
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
-#include <memory> // for the model
 #include <string> // for texts
 
-namespace pixelexact
-{
-class ModelSource;
-}
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderCalculator : public vtkPassInputTypeAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderCalculator
+  : public PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm)
 {
 public:
   static vtkHighOrderCalculator* New();
-  vtkTypeMacro(vtkHighOrderCalculator, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkHighOrderCalculator, PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -70,21 +66,15 @@ protected:
   vtkHighOrderCalculator();
   ~vtkHighOrderCalculator() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderCalculator(const vtkHighOrderCalculator&) = delete;
   void operator=(const vtkHighOrderCalculator&) = delete;
 
-  /// Throws Error.
-  void Define(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
-
   std::string ResultArrayName = "result";
   std::string Function;
   bool PointValues = true;
-  std::unique_ptr<pixelexact::ModelSource> Source;
 };
 
 #endif

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderCertifier.h"
 
-#include "Conversion/ModelSource.h"
 #include "Conversion/SourceMesh.h"
 #include "Core/Base/Error.h"
 #include "Core/Element/Validity.h"
-#include "Grids/FilterInput.h"
-#include "Grids/FilterWork.h"
 #include "HighOrderArrays.h"
-#include "Parts/ParallelRun.h"
+#include "HighOrderModel.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
@@ -93,7 +88,7 @@ std::vector<vtkIdType> CellsOf(vtkUnstructuredGrid* grid, const HighOrderModel& 
 } // namespace
 
 vtkHighOrderCertifier::vtkHighOrderCertifier()
-  : Source(std::make_unique<ModelSource>())
+  : MeshFilter(MeshScope::PartByBlock)
 {
 }
 
@@ -107,15 +102,10 @@ void vtkHighOrderCertifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumBoxes: " << this->MaximumBoxes << "\n";
 }
 
-int vtkHighOrderCertifier::FillInputPortInformation(int /*port*/, vtkInformation* info)
+bool vtkHighOrderCertifier::Make(vtkDataObject* input, vtkDataObject* output)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
-}
-
-void vtkHighOrderCertifier::Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output)
-{
-  const auto model = this->Source->Get(grid, this);
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  const auto model = this->ModelOf(grid);
   const Mesh& mesh = model->GetMesh();
   const auto cells = CellsOf(grid, *model);
   const vtkIdType count = grid->GetNumberOfCells();
@@ -147,8 +137,9 @@ void vtkHighOrderCertifier::Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGr
     bounds.Set(cells[e], 0, both);
   }
   output->ShallowCopy(grid);
-  output->GetCellData()->AddArray(verdict);
-  bounds.AddTo(output->GetCellData());
+  vtkCellData* data = vtkUnstructuredGrid::SafeDownCast(output)->GetCellData();
+  data->AddArray(verdict);
+  bounds.AddTo(data);
   if (field)
   {
     const int components = field->values.components;
@@ -161,22 +152,7 @@ void vtkHighOrderCertifier::Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGr
         values.Set(cells[e], c, ranges[e]);
       }
     }
-    values.AddTo(output->GetCellData());
+    values.AddTo(data);
   }
-}
-
-int vtkHighOrderCertifier::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  return FillOutput(this, output,
-    [&]
-    {
-      const bool any = !HasNoShare(inputVector[0]);
-      if (any)
-      {
-        this->Certify(vtkUnstructuredGrid::GetData(inputVector[0]), output);
-      }
-      return any;
-    });
+  return true;
 }

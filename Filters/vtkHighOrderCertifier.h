@@ -22,22 +22,18 @@
 #ifndef vtkHighOrderCertifier_h
 #define vtkHighOrderCertifier_h
 
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
-#include <memory> // for the model
 #include <string> // for the name
 
-namespace pixelexact
-{
-class ModelSource;
-}
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderCertifier : public vtkPassInputTypeAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderCertifier
+  : public PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm)
 {
 public:
   static vtkHighOrderCertifier* New();
-  vtkTypeMacro(vtkHighOrderCertifier, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkHighOrderCertifier, PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -70,21 +66,15 @@ protected:
   vtkHighOrderCertifier();
   ~vtkHighOrderCertifier() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderCertifier(const vtkHighOrderCertifier&) = delete;
   void operator=(const vtkHighOrderCertifier&) = delete;
 
-  /// Throws Error.
-  void Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
-
   std::string FieldName;
   double Tolerance = 0.01;
   int MaximumBoxes = 2000;
-  std::unique_ptr<pixelexact::ModelSource> Source;
 };
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "Cells/Subdivision.h"
 #include "CompositeParts.h"
-#include "Conversion/ModelSource.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
@@ -11,7 +10,6 @@
 #include "Grids/FilterWork.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
-#include "Parts/ParallelRun.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
@@ -154,7 +152,7 @@ void RequireRoom(
 } // namespace
 
 vtkHighOrderSubdivide::vtkHighOrderSubdivide()
-  : Source(std::make_unique<ModelSource>())
+  : MeshFilter(MeshScope::Part)
 {
 }
 
@@ -169,15 +167,14 @@ void vtkHighOrderSubdivide::PrintSelf(ostream& os, vtkIndent indent)
   PrintFields(os, indent, this->Fields.All());
 }
 
-int vtkHighOrderSubdivide::FillInputPortInformation(int /*port*/, vtkInformation* info)
+void vtkHighOrderSubdivide::ResetReport()
 {
-  TakeGrids(info);
-  return 1;
+  this->NumberOfCoarseElements = 0;
 }
 
-bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* output)
+bool vtkHighOrderSubdivide::Make(vtkDataObject* mesh, vtkUnstructuredGrid* output)
 {
-  const auto model = this->Source->Get(input, this);
+  const auto model = this->ModelOf(mesh);
   const std::vector<const Field*> fields = FieldsNamed(*model, this->Fields.All());
   const SubdivisionLevels levels = this->Tolerance > 0.0
     ? AdaptedLevels(*model, fields, this->Tolerance, this->Level, ProgressOf(this, 0.0, 0.5))
@@ -187,7 +184,7 @@ bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* outp
     return false;
   }
   this->NumberOfCoarseElements = levels.coarse;
-  vtkDataObject* grid = this->Source->GridOf(input);
+  vtkDataObject* grid = this->Input.GridOf(mesh);
   RequireRoom(SizeOf(*model, levels), fields, grid);
   std::vector<int> elementOf;
   if (!Subdivide(*model, fields, levels, output, elementOf,
@@ -197,17 +194,4 @@ bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* outp
   }
   SpreadCellArrays(grid, *model, elementOf, output);
   return true;
-}
-
-int vtkHighOrderSubdivide::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->NumberOfCoarseElements = 0;
-  return FillOutput(this, output,
-    [&]
-    {
-      return !HasNoShare(inputVector[0]) &&
-        this->Fill(vtkDataObject::GetData(inputVector[0]), output);
-    });
 }

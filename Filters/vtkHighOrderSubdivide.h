@@ -25,23 +25,23 @@
 #define vtkHighOrderSubdivide_h
 
 #include "FieldSelection.h"
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // for the model
 #include <string> // for names
 
 namespace pixelexact
 {
 class HighOrderModel;
-class ModelSource;
-} // namespace pixelexact
+}
 
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderSubdivide : public vtkUnstructuredGridAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderSubdivide
+  : public PIXELEXACT_MESH_FILTER(vtkUnstructuredGridAlgorithm)
 {
 public:
   static vtkHighOrderSubdivide* New();
-  vtkTypeMacro(vtkHighOrderSubdivide, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkHighOrderSubdivide, PIXELEXACT_MESH_FILTER(vtkUnstructuredGridAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -79,22 +79,17 @@ protected:
   vtkHighOrderSubdivide();
   ~vtkHighOrderSubdivide() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void ResetReport() override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderSubdivide(const vtkHighOrderSubdivide&) = delete;
   void operator=(const vtkHighOrderSubdivide&) = delete;
 
-  /// False where it was aborted.
-  bool Fill(vtkDataObject* input, vtkUnstructuredGrid* output);
-
   int Level = 2;
   double Tolerance = 0.0;
   vtkIdType NumberOfCoarseElements = 0;
   pixelexact::FieldSelection Fields{ this };
-  std::unique_ptr<pixelexact::ModelSource> Source;
 };
 
 #endif

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderTruncate.h"
 
-#include "Conversion/ModelSource.h"
 #include "Grids/FilterInput.h"
-#include "Grids/FilterWork.h"
 #include "Grids/GridCopies.h"
+#include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/PartExchange.h"
 
@@ -19,7 +18,7 @@
 vtkStandardNewMacro(vtkHighOrderTruncate);
 
 vtkHighOrderTruncate::vtkHighOrderTruncate()
-  : Source(std::make_unique<pixelexact::ModelSource>())
+  : MeshFilter(pixelexact::MeshScope::PartByBlock)
 {
 }
 
@@ -33,17 +32,15 @@ void vtkHighOrderTruncate::PrintSelf(ostream& os, vtkIndent indent)
   pixelexact::PrintFields(os, indent, this->Fields.All());
 }
 
-int vtkHighOrderTruncate::FillInputPortInformation(int /*port*/, vtkInformation* info)
+void vtkHighOrderTruncate::ResetReport()
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
+  this->Changes.clear();
 }
 
-std::map<std::string, double> vtkHighOrderTruncate::Truncate(
-  vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+bool vtkHighOrderTruncate::Make(vtkDataObject* mesh, vtkDataObject* output)
 {
   using namespace pixelexact;
-  const auto model = this->Source->Get(input, this);
+  const auto model = this->ModelOf(mesh);
   std::vector<Truncation> truncations;
   for (const Field* field : FieldsNamed(*model, this->Fields.All()))
   {
@@ -52,7 +49,7 @@ std::map<std::string, double> vtkHighOrderTruncate::Truncate(
       truncations.emplace_back(*field, this->Order);
     }
   }
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Source->GridOf(input));
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Input.GridOf(mesh));
   output->ShallowCopy(WithTruncated(grid, truncations));
   std::map<std::string, double> changes;
   for (std::size_t k = 0; this->Bounds && k < truncations.size(); ++k)
@@ -65,7 +62,8 @@ std::map<std::string, double> vtkHighOrderTruncate::Truncate(
             (static_cast<double>(k) + part) / static_cast<double>(truncations.size()));
         });
   }
-  return changes;
+  this->Changes = std::move(changes);
+  return true;
 }
 
 int vtkHighOrderTruncate::RequestUpdateExtent(
@@ -75,21 +73,10 @@ int vtkHighOrderTruncate::RequestUpdateExtent(
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
-int vtkHighOrderTruncate::RequestData(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkHighOrderTruncate::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  std::map<std::string, double> changes;
-  int filled = pixelexact::FillOutput(this, output,
-    [&]
-    {
-      const bool any = !pixelexact::HasNoShare(inputVector[0]);
-      if (any)
-      {
-        changes = this->Truncate(vtkUnstructuredGrid::GetData(inputVector[0]), output);
-      }
-      return any;
-    });
+  int filled = this->Superclass::RequestData(request, inputVector, outputVector);
   if (this->InBlocks)
   {
     return filled;
@@ -101,9 +88,10 @@ int vtkHighOrderTruncate::RequestData(vtkInformation* /*request*/,
     {
       return 0;
     }
-    changes = pixelexact::LargestOfAll(changes, processes);
+    this->Changes = pixelexact::LargestOfAll(this->Changes, processes);
   }
-  for (const auto& [name, change] : changes)
+  auto* output = vtkUnstructuredGrid::GetData(outputVector);
+  for (const auto& [name, change] : this->Changes)
   {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name.c_str());

@@ -20,23 +20,19 @@
 #define vtkHighOrderTruncate_h
 
 #include "FieldSelection.h"
+#include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
 #include <map>    // for changes
-#include <memory> // for the model
 #include <string> // for names
 
-namespace pixelexact
-{
-class ModelSource;
-}
-
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderTruncate : public vtkPassInputTypeAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderTruncate
+  : public PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm)
 {
 public:
   static vtkHighOrderTruncate* New();
-  vtkTypeMacro(vtkHighOrderTruncate, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkHighOrderTruncate, PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -68,25 +64,23 @@ protected:
   vtkHighOrderTruncate();
   ~vtkHighOrderTruncate() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  void ResetReport() override;
+  bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
   vtkHighOrderTruncate(const vtkHighOrderTruncate&) = delete;
   void operator=(const vtkHighOrderTruncate&) = delete;
 
-  /// Throws Error.
-  /// Makes all but the changes, and returns these by their arrays' names. Throws Error.
-  std::map<std::string, double> Truncate(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
-
   int Order = 1;
   bool Bounds = true;
   pixelexact::FieldSelection Fields{ this };
-  std::unique_ptr<pixelexact::ModelSource> Source;
   bool InBlocks = false; ///< in a parallel run
+  /// Of the last update: bounds of the changes on this process, by the names of their arrays.
+  std::map<std::string, double> Changes;
 };
 
 #endif
