@@ -3,7 +3,6 @@
 
 #include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
-#include "Grids/FilterWork.h"
 #include "PackedArrays.h"
 #include "Parts/PartExchange.h"
 
@@ -22,6 +21,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <exception>
+#include <functional>
 #include <vector>
 
 namespace pixelexact
@@ -175,18 +175,6 @@ vtkDataObject* WholeMesh::Of(
     this->Source = state;
   }
   return this->Whole;
-}
-
-int WholeMesh::Fill(vtkAlgorithm* filter, vtkInformationVector* input, vtkInformationVector* output,
-  const std::function<bool(vtkDataObject*)>& make)
-{
-  const int filled = FillOutput(filter, vtkDataObject::GetData(output),
-    [&]
-    {
-      vtkDataObject* mesh = this->Of(input, output, filter);
-      return mesh != nullptr && make(mesh);
-    });
-  return AnswerOfAll(filled, output);
 }
 
 void WholeMesh::Gather(

@@ -8,8 +8,6 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
-#include <functional>
-
 class vtkAlgorithm;
 class vtkInformationVector;
 class vtkMultiProcessController;
@@ -63,11 +61,6 @@ public:
   /// warnings of `filter`. Made anew when any part has changed. Throws Error, and then on all.
   vtkDataObject* Of(
     vtkInformationVector* input, vtkInformationVector* output, vtkAlgorithm* filter);
-
-  /// RequestData of a filter that fills its output by make(mesh), with what Of gives; where that is
-  /// null, or make gives false, for it was aborted, it is empty. What throws is the filter's error.
-  int Fill(vtkAlgorithm* filter, vtkInformationVector* input, vtkInformationVector* output,
-    const std::function<bool(vtkDataObject* mesh)>& make);
 
 private:
   void Gather(vtkDataObject* own, vtkMultiProcessController* processes, vtkAlgorithm* filter);
