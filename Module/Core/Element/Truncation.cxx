@@ -40,20 +40,23 @@ std::vector<int> NumbersIn(const Space& space, const Space& low)
 Truncation::Truncation(const Field& field, int order)
   : Name(field.name)
   , TheMapping(field.mapping)
-  , Components(field.values.components)
   , TheOrder(order)
 {
   RequirePolynomials(field, "truncations");
   const Expansion& values = field.values;
   High.spaces.assign(values.spaces.begin(), values.spaces.end());
   High.spaceOf.assign(values.spaceOf.begin(), values.spaceOf.end());
+  High.components = values.components;
   Low.spaceOf = High.spaceOf;
+  Low.components = High.components;
   std::vector<std::vector<int>> numbers;
   for (const Space& space : values.spaces)
   {
     Low.spaces.push_back(Lowered(space, order));
     numbers.push_back(NumbersIn(space, Low.spaces.back()));
   }
+  Low.Allocate();
+  High.Allocate();
   for (int e = 0; e < values.Elements(); ++e)
   {
     const auto space = static_cast<std::size_t>(values.spaceOf[static_cast<std::size_t>(e)]);
@@ -61,40 +64,33 @@ Truncation::Truncation(const Field& field, int order)
     const auto kept = static_cast<std::size_t>(Low.spaces[space].Modes());
     AllModes += static_cast<std::int64_t>(modes);
     Lost += static_cast<std::int64_t>(modes - kept);
-    Low.offset.push_back(static_cast<std::int64_t>(Low.coefficients.size()));
-    High.offset.push_back(static_cast<std::int64_t>(High.coefficients.size()));
     const double* from = values.Coefficients(e);
-    for (int c = 0; c < Components; ++c)
+    double* low = Low.Coefficients(static_cast<std::size_t>(e)).data();
+    double* high = High.Coefficients(static_cast<std::size_t>(e)).data();
+    for (int c = 0; c < values.components; ++c)
     {
-      const std::size_t begin = Low.coefficients.size();
-      Low.coefficients.resize(begin + kept);
       for (const int number : numbers[space])
       {
-        High.coefficients.push_back(number < 0 ? *from : 0.0);
+        *high++ = number < 0 ? *from : 0.0;
         if (number >= 0)
         {
-          Low.coefficients[begin + static_cast<std::size_t>(number)] = *from;
+          low[number] = *from;
         }
         ++from;
       }
+      low += kept;
     }
   }
 }
 
-Field Truncation::ViewOf(const Part& part) const
-{
-  return { Name, { part.spaces, part.spaceOf, part.offset, part.coefficients, Components },
-    TheMapping };
-}
-
 Field Truncation::Kept() const
 {
-  return ViewOf(Low);
+  return { Name, Low.View(), TheMapping };
 }
 
 Field Truncation::Dropped() const
 {
-  return ViewOf(High);
+  return { Name, High.View(), TheMapping };
 }
 
 double LargestChange(

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "Core/Element/MeshRanges.h"
+#include "Core/Element/OwnedExpansion.h"
 
 #include <cstdint>
-#include <vector>
+#include <string>
 
 namespace pixelexact
 {
@@ -31,23 +32,13 @@ public:
   [[nodiscard]] std::int64_t DroppedModes() const { return Lost; }
 
 private:
-  struct Part
-  {
-    std::vector<Space> spaces;
-    std::vector<std::int32_t> spaceOf;
-    std::vector<std::int64_t> offset;
-    std::vector<double> coefficients;
-  };
-  [[nodiscard]] Field ViewOf(const Part& part) const;
-
   std::string Name;
   Mapping TheMapping;
-  int Components;
   int TheOrder;
   std::int64_t AllModes = 0;
   std::int64_t Lost = 0;
-  Part Low;
-  Part High;
+  OwnedExpansion Low;
+  OwnedExpansion High;
 };
 
 /// A bound of how far values of the field move, anywhere in the mesh: of a component, from 0, or
