@@ -6,6 +6,7 @@
 #include "HighOrderArrays.h"
 
 #include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 
 class vtkFieldData;
 

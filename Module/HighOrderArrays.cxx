@@ -19,7 +19,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace pixelexact
 {
@@ -36,8 +36,18 @@ void Add(vtkFieldData* data, const std::string& name, std::span<const T> values,
   data->AddArray(array);
 }
 
+/// The array takes over the coefficients.
+void AddCoefficients(vtkFieldData* data, const std::string& prefix, CoefficientBlock coefficients)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName((prefix + "Coefficients").c_str());
+  const auto size = static_cast<vtkIdType>(coefficients.size());
+  array->SetArray(coefficients.Release(), size, 0, vtkDoubleArray::VTK_DATA_ARRAY_FREE);
+  data->AddArray(array);
+}
+
 void AddExpansion(
-  vtkFieldData* data, const std::string& prefix, const ExpansionArrays& expansion, Origin origin)
+  vtkFieldData* data, const std::string& prefix, OwnedExpansion expansion, Origin origin)
 {
   std::vector<unsigned char> spaces;
   for (const auto& space : expansion.spaces)
@@ -51,9 +61,7 @@ void AddExpansion(
   Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Offset", expansion.offset);
   const auto kind = static_cast<unsigned char>(origin);
   Add<vtkUnsignedCharArray, unsigned char>(data, prefix + "Origin", { &kind, 1 });
-  // Added itself, not copied: it is the largest of all. The caller keeps no other use for it.
-  expansion.coefficients->SetName((prefix + "Coefficients").c_str());
-  data->AddArray(expansion.coefficients);
+  AddCoefficients(data, prefix, std::move(expansion.coefficients));
 }
 
 void AddBoundary(vtkFieldData* data, std::span<const AttributedFace> boundary)
@@ -90,35 +98,6 @@ void RemovePrefix(vtkFieldData* data, const std::string& prefix)
 }
 } // namespace
 
-void ExpansionArrays::Allocate(std::span<const Space> spaceOfElement, int numberOfComponents)
-{
-  std::map<Space, std::pair<std::int32_t, std::int64_t>> known; // index, coefficients
-  components = numberOfComponents;
-  spaceOf.clear();
-  offset.clear();
-  std::int64_t total = 0;
-  for (const auto& space : spaceOfElement)
-  {
-    auto [at, isNew] = known.try_emplace(space);
-    if (isNew)
-    {
-      at->second = { static_cast<std::int32_t>(spaces.size()),
-        static_cast<std::int64_t>(space.Modes()) * components };
-      spaces.push_back(space);
-    }
-    spaceOf.push_back(at->second.first);
-    offset.push_back(total);
-    total += at->second.second;
-  }
-  coefficients = vtkSmartPointer<vtkDoubleArray>::New();
-  coefficients->SetNumberOfValues(total);
-}
-
-double* ExpansionArrays::Coefficients(std::size_t element) const
-{
-  return coefficients->GetPointer(offset[element]);
-}
-
 bool HasHighOrderArrays(vtkUnstructuredGrid* grid)
 {
   return grid && grid->GetFieldData() &&
@@ -134,12 +113,12 @@ void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
   grid->GetCellData()->RemoveArray(kElementIds);
 }
 
-void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin)
+void StoreMesh(vtkUnstructuredGrid* grid, MeshArrays mesh, Origin origin)
 {
-  StoreMesh(grid, mesh, origin, CellFingerprints(grid));
+  StoreMesh(grid, std::move(mesh), origin, CellFingerprints(grid));
 }
 
-void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin,
+void StoreMesh(vtkUnstructuredGrid* grid, MeshArrays mesh, Origin origin,
   std::span<const std::int64_t> fingerprints)
 {
   const auto cells = static_cast<std::size_t>(grid->GetNumberOfCells());
@@ -152,7 +131,7 @@ void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin,
   RemoveHighOrderArrays(grid);
   vtkFieldData* data = grid->GetFieldData();
   const std::string prefix = kMeshPrefix;
-  AddExpansion(data, prefix, mesh.map, origin);
+  AddExpansion(data, prefix, std::move(mesh.map), origin);
   Add<vtkDoubleArray, double>(data, prefix + "Centre", mesh.centre, 3);
   Add<vtkDoubleArray, double>(data, prefix + "Size", mesh.size);
   Add<vtkDoubleArray, double>(data, prefix + "Uncertainty", mesh.uncertainty);
@@ -179,11 +158,11 @@ bool StoredMeshFits(vtkUnstructuredGrid* grid)
 }
 
 void StoreField(
-  vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin)
+  vtkUnstructuredGrid* grid, const std::string& name, FieldExpansion field, Origin origin)
 {
   if (origin == Origin::Coefficients)
   {
-    StoreField(grid, name, values, origin, {});
+    StoreField(grid, name, std::move(field), origin, {});
     return;
   }
   vtkDataArray* source = FieldSource(grid, name, origin);
@@ -192,10 +171,10 @@ void StoreField(
     throw InvalidData("field '" + name + "' cannot be stored with values at points or of cells: " +
       "the grid has no such array of that name; add the array first.");
   }
-  StoreField(grid, name, values, origin, ValueFingerprints(grid, source, origin));
+  StoreField(grid, name, std::move(field), origin, ValueFingerprints(grid, source, origin));
 }
 
-void StoreField(vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values,
+void StoreField(vtkUnstructuredGrid* grid, const std::string& name, FieldExpansion field,
   Origin origin, std::span<const std::int64_t> fingerprints)
 {
   vtkFieldData* data = grid->GetFieldData();
@@ -204,13 +183,13 @@ void StoreField(vtkUnstructuredGrid* grid, const std::string& name, const Expans
   // left over.
   data->RemoveArray((prefix + "Fingerprint").c_str());
   data->RemoveArray((prefix + "Mapping").c_str());
-  AddExpansion(data, prefix, values, origin);
-  if (values.mapping != Mapping::Identity)
+  const std::int32_t components = field.values.components;
+  AddExpansion(data, prefix, std::move(field.values), origin);
+  if (field.mapping != Mapping::Identity)
   {
-    const auto mapping = static_cast<unsigned char>(values.mapping);
+    const auto mapping = static_cast<unsigned char>(field.mapping);
     Add<vtkUnsignedCharArray, unsigned char>(data, prefix + "Mapping", { &mapping, 1 });
   }
-  const std::int32_t components = values.components;
   Add<vtkIntArray, std::int32_t>(data, prefix + "Components", { &components, 1 });
   if (origin != Origin::Coefficients)
   {

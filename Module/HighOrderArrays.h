@@ -4,10 +4,8 @@
 
 #include "PixelExactDataModelModule.h"
 
-#include "Core/Element/Mesh.h"
+#include "Core/Element/OwnedExpansion.h"
 #include "Core/Faces/AttributedFace.h"
-
-#include "vtkSmartPointer.h"
 
 #include <cstdint>
 #include <span>
@@ -16,7 +14,6 @@
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkDoubleArray;
 class vtkUnstructuredGrid;
 
 // How a mesh and its fields lie in the arrays of a vtkUnstructuredGrid, and how they get there.
@@ -76,25 +73,17 @@ constexpr bool IsAtPoints(Origin origin)
   return origin == Origin::PointData || origin == Origin::SolverPoints;
 }
 
-/// Arrays of one expansion, to be filled and handed to StoreMesh or StoreField.
-struct PIXELEXACTDATAMODEL_EXPORT ExpansionArrays
-{
-  std::vector<Space> spaces;
-  std::vector<std::int32_t> spaceOf;
-  std::vector<std::int64_t> offset;
-  vtkSmartPointer<vtkDoubleArray> coefficients;
-  int components = 1;
-  Mapping mapping = Mapping::Identity; ///< of a field; a mesh has none
+// What StoreMesh and StoreField put into a grid. The grid takes over the coefficients.
 
-  /// Sets spaceOf and offset for elements of the given spaces, one after the other, and allocates
-  /// the coefficients.
-  void Allocate(std::span<const Space> spaceOfElement, int numberOfComponents);
-  [[nodiscard]] double* Coefficients(std::size_t element) const;
+struct FieldExpansion
+{
+  OwnedExpansion values;
+  Mapping mapping = Mapping::Identity;
 };
 
 struct MeshArrays
 {
-  ExpansionArrays map;
+  OwnedExpansion map;
   std::vector<double> centre; ///< 3 per element
   std::vector<double> size;
   std::vector<double> uncertainty;
@@ -112,11 +101,11 @@ PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
 /// Adds a mesh whose element e is the grid's cell e, and fingerprints the cells as they are now.
 /// Throws InvalidData where the number of elements is not the number of cells.
 PIXELEXACTDATAMODEL_EXPORT void StoreMesh(
-  vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin);
+  vtkUnstructuredGrid* grid, MeshArrays mesh, Origin origin);
 
 /// The same with the fingerprints of the cells that the mesh was made with, as stored before.
-PIXELEXACTDATAMODEL_EXPORT void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh,
-  Origin origin, std::span<const std::int64_t> fingerprints);
+PIXELEXACTDATAMODEL_EXPORT void StoreMesh(vtkUnstructuredGrid* grid, MeshArrays mesh, Origin origin,
+  std::span<const std::int64_t> fingerprints);
 
 /// Whether the stored mesh was made of the grid's cells as they are now, cell e being element e; by
 /// the fingerprints.
@@ -125,11 +114,11 @@ PIXELEXACTDATAMODEL_EXPORT bool StoredMeshFits(vtkUnstructuredGrid* grid);
 /// Adds or replaces a field on the mesh stored before. The array that `origin` names must be there:
 /// its values are fingerprinted. Throws InvalidData where it is not.
 PIXELEXACTDATAMODEL_EXPORT void StoreField(
-  vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin);
+  vtkUnstructuredGrid* grid, const std::string& name, FieldExpansion field, Origin origin);
 
 /// The same with the fingerprints of the field's values, as stored before.
 PIXELEXACTDATAMODEL_EXPORT void StoreField(vtkUnstructuredGrid* grid, const std::string& name,
-  const ExpansionArrays& values, Origin origin, std::span<const std::int64_t> fingerprints);
+  FieldExpansion field, Origin origin, std::span<const std::int64_t> fingerprints);
 
 /// Whether the grid has an array of a field's name in point data (`ofPoints`), or else cell data,
 /// that is another one than that which shows the field: a filter or the file gave it the same name.

@@ -8,7 +8,6 @@
 #include "PackedNames.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
@@ -17,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -41,7 +41,7 @@ public:
   }
 
   /// Of a mesh `place` is given, of a field it is empty.
-  ExpansionArrays Arrays(std::span<const double> place, int components)
+  OwnedExpansion Expand(std::span<const double> place, int components)
   {
     std::vector<Space> spaces;
     for (std::size_t e = 0; e < static_cast<std::size_t>(Cells); ++e)
@@ -66,16 +66,14 @@ public:
       }
       spaces.push_back(space);
     }
-    ExpansionArrays arrays;
-    arrays.Allocate(spaces, components);
+    OwnedExpansion expansion;
+    expansion.Allocate(spaces, components);
     for (std::size_t e = 0; e < spaces.size(); ++e)
     {
-      std::ranges::copy(
-        Packed.subspan(e * Width,
-          static_cast<std::size_t>(spaces[e].Modes()) * static_cast<std::size_t>(components)),
-        arrays.Coefficients(e));
+      const std::span<double> own = expansion.Coefficients(e);
+      std::ranges::copy(Packed.subspan(e * Width, own.size()), own.begin());
     }
-    return arrays;
+    return expansion;
   }
 
   /// What all cells have alike; InvalidData where they do not.
@@ -204,7 +202,7 @@ void UnpackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output)
   const auto place = ViewArrayOf<double>(
     grid->GetCellData(), kMesh + "Place", kPackedPlace, grid->GetNumberOfCells(), keeper);
   MeshArrays mesh;
-  mesh.map = packed.Arrays(place, 3);
+  mesh.map = packed.Expand(place, 3);
   for (std::size_t i = 0; i < place.size(); i += kPackedPlace)
   {
     mesh.centre.insert(mesh.centre.end(), &place[i], &place[i] + 3);
@@ -218,7 +216,8 @@ void UnpackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output)
   const auto prints = Restamped(grid, kMesh, points, packed.Column(1), CellFingerprints(grid),
     [&](std::size_t cell)
     { return std::pair(4.0 * mesh.uncertainty[cell] + 16.0 * kRounding * largest, largest); });
-  StoreMesh(output, mesh, packed.IsAnySolvers() ? Origin::Coefficients : Origin::PointData, prints);
+  StoreMesh(output, std::move(mesh),
+    packed.IsAnySolvers() ? Origin::Coefficients : Origin::PointData, prints);
 }
 
 void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstructuredGrid* output)
@@ -233,8 +232,8 @@ void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstruct
     throw InvalidData("field '" + name + "' is said to have " + std::to_string(components) +
       " components; pack it again (vtkHighOrderPack).");
   }
-  ExpansionArrays values = packed.Arrays({}, std::max(1, static_cast<int>(components)));
-  values.mapping = static_cast<Mapping>(mapping);
+  FieldExpansion field{ packed.Expand({}, std::max(1, static_cast<int>(components))),
+    static_cast<Mapping>(mapping) };
   auto prints = packed.Column(1);
   vtkDataArray* nodal = FieldSource(grid, name, static_cast<Origin>(origin));
   if (nodal != nullptr && IsAtPoints(static_cast<Origin>(origin)))
@@ -244,7 +243,7 @@ void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstruct
       ValueFingerprints(grid, nodal, static_cast<Origin>(origin)),
       [&](std::size_t) { return std::pair(256.0 * kRounding * largest, largest); });
   }
-  StoreField(output, name, values, static_cast<Origin>(origin), prints);
+  StoreField(output, name, std::move(field), static_cast<Origin>(origin), prints);
 }
 } // namespace
 

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace pixelexact
 {
@@ -56,14 +57,13 @@ public:
   explicit MapArrays(const SourceMesh& mesh)
     : Source(mesh)
   {
-    vtkIdType most = 0;
+    std::size_t most = 0;
     for (int e = 0; e < mesh.Elements(); ++e)
     {
-      most += static_cast<vtkIdType>(MostCoefficients(mesh, e));
+      most += static_cast<std::size_t>(MostCoefficients(mesh, e));
     }
     Arrays.map.components = 3;
-    Arrays.map.coefficients = vtkSmartPointer<vtkDoubleArray>::New();
-    Arrays.map.coefficients->SetNumberOfValues(most);
+    Arrays.map.coefficients = CoefficientBlock(most);
   }
 
   MeshArrays Convert()
@@ -80,10 +80,11 @@ public:
         Place(e, geometry[e - begin]);
       }
       ForElements(begin, end,
-        [&](int e)
-        { std::ranges::copy(geometry[e - begin].coefficients, Arrays.map.Coefficients(e)); });
+        [&](int e) {
+          std::ranges::copy(geometry[e - begin].coefficients, Arrays.map.Coefficients(e).begin());
+        });
     }
-    Arrays.map.coefficients->Resize(Placed);
+    Arrays.map.coefficients.Shrink(static_cast<std::size_t>(Placed));
     return std::move(Arrays);
   }
 
@@ -116,7 +117,7 @@ void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
 {
   MeshArrays arrays = MapArrays(mesh).Convert();
   arrays.boundary = SourceFacesOf(grid, mesh);
-  StoreMesh(grid, arrays, Origin::PointData);
+  StoreMesh(grid, std::move(arrays), Origin::PointData);
   if (mesh.GetSlab())
   {
     StoreSlab(*mesh.GetSlab(), grid);
@@ -134,8 +135,8 @@ int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructu
   {
     spaces.push_back(mesh.Basis(e).GetSpace());
   }
-  ExpansionArrays arrays;
-  arrays.Allocate(spaces, components);
+  OwnedExpansion expansion;
+  expansion.Allocate(spaces, components);
   const auto doubles = AsDoubles(values);
   const std::span<const double> nodal(
     doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
@@ -146,8 +147,7 @@ int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructu
     {
       thread_local std::vector<double> atNodes;
       thread_local ChangeOfBasis::Scratch scratch;
-      const auto count = static_cast<std::size_t>(spaces[e].Modes());
-      const std::span<double> out(arrays.Coefficients(e), count * components);
+      const std::span<double> out = expansion.Coefficients(e);
       mesh.GatherAll(e, nodal, components, components, atNodes);
       mesh.Basis(e).change.Apply(atNodes, shifts, out, scratch);
       if (!AllFinite(out))
@@ -155,7 +155,7 @@ int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructu
         ++nonFinite;
       }
     });
-  StoreField(grid, values->GetName(), arrays, Origin::PointData);
+  StoreField(grid, values->GetName(), { std::move(expansion) }, Origin::PointData);
   return nonFinite;
 }
 
@@ -169,17 +169,17 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
   {
     spaces.push_back(UniformSpace(mesh.Basis(e).GetSpace().shape, 0));
   }
-  ExpansionArrays arrays;
-  arrays.Allocate(spaces, components);
+  OwnedExpansion expansion;
+  expansion.Allocate(spaces, components);
   int nonFinite = 0;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     // The first mode is 1.
-    const std::span<double> out(arrays.Coefficients(e), components);
+    const std::span<double> out = expansion.Coefficients(e);
     values->GetTuple(e, out.data());
     nonFinite += AllFinite(out) ? 0 : 1;
   }
-  StoreField(grid, values->GetName(), arrays, Origin::CellData);
+  StoreField(grid, values->GetName(), { std::move(expansion) }, Origin::CellData);
   return nonFinite;
 }
 

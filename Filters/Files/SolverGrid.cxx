@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace pixelexact
 {
@@ -87,25 +89,6 @@ void AddGroups(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
 /// In element sizes: vertices of one number that are closer than this become one point. It only
 /// concerns the linear cells, not the elements.
 constexpr double kSamePoint = 1e-9;
-
-Expansion ViewOf(const SolverExpansion& e)
-{
-  return { e.spaces, e.spaceOf, e.offset, { e.coefficients.data.get(), e.coefficients.size },
-    e.components };
-}
-
-ExpansionArrays HandOn(SolverExpansion&& expansion)
-{
-  ExpansionArrays arrays;
-  arrays.spaces = std::move(expansion.spaces);
-  arrays.spaceOf = std::move(expansion.spaceOf);
-  arrays.offset = std::move(expansion.offset);
-  arrays.components = expansion.components;
-  arrays.coefficients = vtkSmartPointer<vtkDoubleArray>::New();
-  arrays.coefficients->SetArray(expansion.coefficients.data.release(),
-    static_cast<vtkIdType>(expansion.coefficients.size), 0, vtkDoubleArray::VTK_DATA_ARRAY_DELETE);
-  return arrays;
-}
 
 template <class Function>
 void ForElements(std::size_t elements, Function&& function)
@@ -279,18 +262,18 @@ void AddGroupNames(const std::vector<Group>& groups, vtkUnstructuredGrid* grid)
 void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
 {
   grid->Initialize();
-  const Mesh view{ ViewOf(mesh.map), mesh.centre, mesh.size, mesh.uncertainty };
+  const Mesh view{ mesh.map.View(), mesh.centre, mesh.size, mesh.uncertainty };
   Validate(view);
   MakeCells(mesh, view, grid);
   MeshArrays arrays;
   arrays.boundary = AttributedFacesOf(mesh, view);
   AddGroups(mesh, view, grid);
-  arrays.map = HandOn(std::move(mesh.map));
+  arrays.map = std::move(mesh.map);
   arrays.centre = std::move(mesh.centre);
   arrays.size = std::move(mesh.size);
   arrays.uncertainty = std::move(mesh.uncertainty);
   arrays.sourceCell = std::move(mesh.number);
-  StoreMesh(grid, arrays, Origin::Coefficients);
+  StoreMesh(grid, std::move(arrays), Origin::Coefficients);
   MarkLinearized(grid, "");
   if (mesh.slab)
   {
@@ -322,14 +305,12 @@ void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid)
       "'; fields are named after their files: rename one of them.");
   }
   const auto model = HighOrderModel::From(grid);
-  const Field view{ field.name, ViewOf(field.values), field.mapping };
+  const Field view{ field.name, field.values.View(), field.mapping };
   Validate(view, model->GetMesh());
   const auto addValues = field.continuous ? &AddVertexValues : &AddCentreValues;
   addValues(model->GetMesh(), view, grid);
-  ExpansionArrays arrays = HandOn(std::move(field.values));
-  arrays.mapping = field.mapping;
-  StoreField(
-    grid, field.name, arrays, field.continuous ? Origin::SolverPoints : Origin::SolverCells);
+  StoreField(grid, field.name, { std::move(field.values), field.mapping },
+    field.continuous ? Origin::SolverPoints : Origin::SolverCells);
   MarkLinearized(grid, field.name);
   vtkNew<vtkStringArray> basis;
   basis->SetName((kFieldPrefix + field.name + ".Basis").c_str());

@@ -50,42 +50,21 @@ Space Same(const Space& space)
 }
 
 /// In spaces that `spaceOf` makes of the bases'.
-SolverExpansion Allocate(Bases basis, int components, Space (*spaceOf)(const Space&))
+OwnedExpansion Allocate(Bases basis, int components, Space (*spaceOf)(const Space&))
 {
-  SolverExpansion expansion;
-  expansion.components = components;
-  expansion.spaceOf.reserve(basis.size());
-  expansion.offset.reserve(basis.size());
-  std::map<Space, std::int32_t> known;
-  std::size_t size = 0;
-  for (const auto* b : basis)
-  {
-    const Space space = spaceOf(b->GetSpace());
-    const auto [at, isNew] = known.try_emplace(space, static_cast<std::int32_t>(known.size()));
-    if (isNew)
-    {
-      expansion.spaces.push_back(space);
-    }
-    expansion.spaceOf.push_back(at->second);
-    expansion.offset.push_back(static_cast<std::int64_t>(size));
-    size += static_cast<std::size_t>(space.Modes()) * components;
-  }
-  // Not initialised: every coefficient is written once.
-  expansion.coefficients = { std::unique_ptr<double[]>(new double[size]), size };
+  std::vector<Space> spaces(basis.size());
+  std::ranges::transform(
+    basis, spaces.begin(), [spaceOf](const ElementBasis* b) { return spaceOf(b->GetSpace()); });
+  OwnedExpansion expansion;
+  expansion.Allocate(spaces, components);
   return expansion;
 }
 
 /// The canonical coefficients of component c of element e.
-std::span<double> Component(SolverExpansion& expansion, std::size_t e, int c)
+std::span<double> Component(OwnedExpansion& expansion, std::size_t e, int c)
 {
-  const auto modes = static_cast<std::size_t>(expansion.spaces[expansion.spaceOf[e]].Modes());
-  return { &expansion.coefficients.data[expansion.offset[e] + c * modes], modes };
-}
-
-std::span<double> AllComponents(SolverExpansion& expansion, std::size_t e)
-{
-  const std::span<double> first = Component(expansion, e, 0);
-  return { first.data(), first.size() * static_cast<std::size_t>(expansion.components) };
+  const auto modes = static_cast<std::size_t>(expansion.SpaceOf(e).Modes());
+  return expansion.Coefficients(e).subspan(static_cast<std::size_t>(c) * modes, modes);
 }
 
 struct Box
@@ -188,9 +167,9 @@ Box BoxOfMesh(Bases basis, int components, const Gather& gather, const Describe&
 }
 } // namespace
 
-SolverExpansion AssembleField(Bases basis, int components, const Gather& gather)
+OwnedExpansion AssembleField(Bases basis, int components, const Gather& gather)
 {
-  SolverExpansion expansion = Allocate(basis, components, &Same);
+  OwnedExpansion expansion = Allocate(basis, components, &Same);
   const std::vector<double> zeros(static_cast<std::size_t>(components));
   ForElements(basis.size(),
     [&](std::size_t e, Work& work)
@@ -201,7 +180,7 @@ SolverExpansion AssembleField(Bases basis, int components, const Gather& gather)
       gather(e, work.source);
       if (!b.IsVector())
       {
-        b.parts[0].Apply(work.source, zeros, AllComponents(expansion, e), work.scratch);
+        b.parts[0].Apply(work.source, zeros, expansion.Coefficients(e), work.scratch);
         return;
       }
       for (int c = 0; c < components; ++c)
@@ -224,7 +203,7 @@ void AssembleMap(Bases basis, const Gather& gather,
       work.source.resize(3 * static_cast<std::size_t>(basis[e]->sources));
       gather(e, work.source);
       const ElementUnits units = UnitsOf(BoxOf(work.source, 3, describe, e), describe, e);
-      const auto coefficients = AllComponents(mesh.map, e);
+      const auto coefficients = mesh.map.Coefficients(e);
       basis[e]->parts[0].Apply(work.source, ShiftsOf(units, 3), coefficients, work.scratch);
       const double inUnits = std::ldexp(1.0, -units.exponent);
       for (double& value : coefficients)
@@ -261,10 +240,8 @@ void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
       change.Apply(std::span(work.source).first(2 * n), ShiftsOf(units, 2), plane, work.scratch);
       const auto inUnits = [&units](double x) { return std::ldexp(x, -units.exponent); };
       std::ranges::transform(plane, plane.begin(), inUnits);
-      const std::span lifted(Component(mesh.map, e, 0).data(),
-        static_cast<std::size_t>(3 * Lifted(change.Target()).Modes()));
       LiftMap(change.Target(), plane, inUnits(slab.middle - units.centre.z),
-        inUnits(slab.thickness / 2), lifted);
+        inUnits(slab.thickness / 2), mesh.map.Coefficients(e));
       StoreUnits(units, noise.at(basis[e]), plane, e, mesh);
     });
 }
@@ -275,8 +252,7 @@ void ScaleToSlab(const Slab& slab, SolverField& field)
   {
     return;
   }
-  const CoefficientBlock& block = field.values.coefficients;
-  for (double& value : std::span(block.data.get(), block.size))
+  for (double& value : field.values.coefficients)
   {
     value *= slab.thickness / 2;
   }

@@ -15,7 +15,7 @@ namespace pixelexact
 using Gather = std::function<void(std::size_t element, std::span<double> source)>;
 
 /// A field. `basis[e]` outlives the call; bases of one field are all scalar or all vector.
-SolverExpansion AssembleField(
+OwnedExpansion AssembleField(
   std::span<const ElementBasis* const> basis, int components, const Gather& gather);
 
 /// Puts map, centre, size and uncertainty into `mesh`. The bases are scalar and sum to one (nodal

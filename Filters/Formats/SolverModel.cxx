@@ -2,6 +2,7 @@
 #include "Formats/SolverModel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelexact
 {
@@ -32,30 +33,19 @@ void Keep(const Range& range, std::vector<T>& values, std::size_t stride = 1)
   }
 }
 
-void Keep(const Range& range, SolverExpansion& expansion)
+void Keep(const Range& range, OwnedExpansion& expansion)
 {
-  Keep(range, expansion.spaceOf);
-  Keep(range, expansion.offset);
-  const auto valuesOf = [&expansion](std::size_t e)
+  OwnedExpansion kept;
+  kept.spaces = expansion.spaces;
+  kept.spaceOf = expansion.spaceOf;
+  kept.components = expansion.components;
+  Keep(range, kept.spaceOf);
+  kept.Allocate();
+  for (std::size_t e = 0; e < kept.spaceOf.size(); ++e)
   {
-    const Space& space = expansion.spaces[static_cast<std::size_t>(expansion.spaceOf[e])];
-    return static_cast<std::size_t>(space.Modes()) * static_cast<std::size_t>(expansion.components);
-  };
-  std::size_t total = 0;
-  for (std::size_t e = 0; e < expansion.spaceOf.size(); ++e)
-  {
-    total += valuesOf(e);
+    std::ranges::copy(expansion.Coefficients(range.begin + e), kept.Coefficients(e).begin());
   }
-  CoefficientBlock kept{ std::make_unique<double[]>(total), total };
-  std::size_t next = 0;
-  for (std::size_t e = 0; e < expansion.spaceOf.size(); ++e)
-  {
-    std::copy_n(
-      expansion.coefficients.data.get() + expansion.offset[e], valuesOf(e), kept.data.get() + next);
-    expansion.offset[e] = static_cast<std::int64_t>(next);
-    next += valuesOf(e);
-  }
-  expansion.coefficients = std::move(kept);
+  expansion = std::move(kept);
 }
 
 void Keep(const Range& range, SolverMesh& mesh)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Element/Mesh.h"
+#include "Core/Element/OwnedExpansion.h"
 #include "Formats/Slab.h"
 
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,23 +17,6 @@
 
 namespace pixelexact
 {
-/// Coefficients in one block that can be handed on without a copy.
-struct CoefficientBlock
-{
-  std::unique_ptr<double[]> data;
-  std::size_t size = 0;
-};
-
-/// Expansion (Core/Element/Mesh.h) that owns its arrays.
-struct SolverExpansion
-{
-  std::vector<Space> spaces;         ///< the distinct ones
-  std::vector<std::int32_t> spaceOf; ///< per element
-  std::vector<std::int64_t> offset;  ///< per element
-  CoefficientBlock coefficients;
-  int components = 1;
-};
-
 /// The vertices' places in VTK's linear cells, as LinearCellOf(shape) has them: hexahedron 8, prism
 /// 6, pyramid 5, tetrahedron 4. A plane element's vertices are there twice, below and above.
 using Corners = std::array<std::int64_t, 8>;
@@ -58,7 +40,7 @@ struct Group
 
 struct SolverMesh
 {
-  SolverExpansion map; ///< three components, in units of the element
+  OwnedExpansion map; ///< three components, in units of the element
   std::vector<double> centre;
   std::vector<double> size;
   std::vector<double> uncertainty;
@@ -73,7 +55,7 @@ struct SolverMesh
 struct SolverField
 {
   std::string name;
-  SolverExpansion values;
+  OwnedExpansion values;
   Mapping mapping = Mapping::Identity;
   std::string basis;       ///< for people: "H1, Gauss-Lobatto nodes", "Modified_A x3"
   bool continuous = false; ///< one value where elements meet, by construction

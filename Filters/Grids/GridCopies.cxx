@@ -5,13 +5,13 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace pixelexact
@@ -91,12 +91,12 @@ vtkSmartPointer<vtkUnstructuredGrid> WithTruncated(
     {
       spaces.push_back(kept.values.SpaceOf(e));
     }
-    ExpansionArrays arrays;
-    arrays.Allocate(spaces, kept.values.components);
-    arrays.mapping = kept.mapping;
+    FieldExpansion field;
+    field.values.Allocate(spaces, kept.values.components);
+    field.mapping = kept.mapping;
     // Both lie element by element, component by component.
-    std::ranges::copy(kept.values.coefficients, arrays.coefficients->GetPointer(0));
-    StoreField(output, kept.name, arrays, Origin::Coefficients);
+    std::ranges::copy(kept.values.coefficients, field.values.coefficients.begin());
+    StoreField(output, kept.name, std::move(field), Origin::Coefficients);
     output->GetPointData()->RemoveArray(kept.name.c_str());
     output->GetCellData()->RemoveArray(kept.name.c_str());
   }

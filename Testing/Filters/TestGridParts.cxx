@@ -9,7 +9,9 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGridWriter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -428,10 +430,10 @@ TEST_F(GridParts, CoefficientsOfPartsAreMadeAgainOrRefused)
 
   const auto solver = Converted(Slabs(1, 2, 1.0));
   const std::vector<Space> spaces(2, UniformSpace(Shape::Hexahedron, 0));
-  ExpansionArrays p;
+  OwnedExpansion p;
   p.Allocate(spaces, 1);
-  p.coefficients->Fill(1.0);
-  StoreField(solver, "p", p, Origin::Coefficients);
+  std::ranges::fill(p.coefficients, 1.0);
+  StoreField(solver, "p", { std::move(p) }, Origin::Coefficients);
   Write("b.vtu", solver);
   ExpectError("solver's own coefficients");
   // Alone they are read as they are.

@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace
 {
 using namespace pixelexact;
@@ -97,10 +100,10 @@ TEST_F(PieceFiles, FilesOfASolversCoefficientsAreOneGrid)
     // Of different widths: the second one's field is of a higher order.
     const auto grid = Converted(Slabs(2 * part, 2, 1.0));
     const std::vector<Space> own(2, UniformSpace(Shape::Hexahedron, 1 + part));
-    ExpansionArrays p;
+    OwnedExpansion p;
     p.Allocate(own, 1);
-    p.coefficients->Fill(0.25 + part);
-    StoreField(grid, "p", p, Origin::Coefficients);
+    std::ranges::fill(p.coefficients, 0.25 + part);
+    StoreField(grid, "p", { std::move(p) }, Origin::Coefficients);
     names.push_back("part" + std::to_string(part) + ".vtu");
     Write(names.back(), grid);
   }

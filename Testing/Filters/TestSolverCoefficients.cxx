@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace
 {
 using namespace pixelexact;
@@ -19,12 +22,12 @@ using namespace pixelexact::testing;
 vtkSmartPointer<vtkHighOrderGrid> SolverGrid()
 {
   auto grid = Converted(Boxes(1));
-  ExpansionArrays p;
+  OwnedExpansion p;
   const Space space{ Shape::Hexahedron, Form::Collapsed, { 1, 0, 0 } };
   p.Allocate({ &space, 1 }, 1);
   p.Coefficients(0)[0] = 1.0;
   p.Coefficients(0)[1] = 2.0;
-  StoreField(grid, "p", p, Origin::Coefficients);
+  StoreField(grid, "p", { std::move(p) }, Origin::Coefficients);
   return grid;
 }
 
@@ -61,11 +64,11 @@ TEST(SolverCoefficients, ReplaceEarlierOnes)
 {
   // The second "f" has no nodal values: a left-over fingerprint would be compared with the wrong.
   const auto grid = Converted(Boxes(1));
-  ExpansionArrays f;
+  OwnedExpansion f;
   const Space space = UniformSpace(Shape::Hexahedron, 0);
   f.Allocate({ &space, 1 }, 1);
   f.Coefficients(0)[0] = 7.0;
-  StoreField(grid, "f", f, Origin::Coefficients);
+  StoreField(grid, "f", { std::move(f) }, Origin::Coefficients);
   ASSERT_EQ(vtkHighOrderGrid::CheckCoefficients(grid), "");
   vtkNew<vtkDoubleArray> value;
   const double xi[3] = { 0.0, 0.0, 0.0 };
@@ -94,11 +97,10 @@ TEST(SolverCoefficients, KeepTheirMapping)
   const auto store = [&](int components, Mapping mapping)
   {
     const Space space = UniformSpace(Shape::Hexahedron, 0);
-    ExpansionArrays v;
+    OwnedExpansion v;
     v.Allocate({ &space, 1 }, components);
-    v.coefficients->Fill(1.0);
-    v.mapping = mapping;
-    StoreField(grid, "v", v, Origin::Coefficients);
+    std::ranges::fill(v.coefficients, 1.0);
+    StoreField(grid, "v", { std::move(v), mapping }, Origin::Coefficients);
     return vtkHighOrderGrid::CheckCoefficients(grid);
   };
   for (const auto mapping : { Mapping::Covariant, Mapping::Contravariant })

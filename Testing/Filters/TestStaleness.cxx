@@ -447,11 +447,11 @@ TEST_F(NativeStaleness, CellsThatHoldAllAreConverted)
   const auto grid = Converted(Boxes(2));
   const auto model = HighOrderModel::From(grid);
   const Field& f = *model->FindField("f");
-  ExpansionArrays values;
+  OwnedExpansion values;
   const Space space{ Shape::Hexahedron, Form::Collapsed, { 1, 1, 1 } };
   values.Allocate(std::vector<Space>(8, space), 1);
-  std::ranges::copy(f.values.coefficients, values.coefficients->GetPointer(0));
-  StoreField(grid, "f", values, Origin::SolverPoints);
+  std::ranges::copy(f.values.coefficients, values.coefficients.begin());
+  StoreField(grid, "f", { std::move(values) }, Origin::SolverPoints);
   ASSERT_EQ(vtkHighOrderGrid::CheckCoefficients(grid), "");
   const Grid moved = Moved(grid);
   EXPECT_NE(

@@ -130,7 +130,7 @@ inline KnownPoint PointFromModel(const SolverModel& model, int element, const Ve
   KnownPoint point = MakePoint(map, element, xi);
   for (const SolverField& field : model.fields)
   {
-    auto values = SumOfModes(ViewOf(field.values), element, VariablesAt(xi));
+    auto values = SumOfModes(field.values.View(), element, VariablesAt(xi));
     if (field.mapping != Mapping::Identity)
     {
       values = map.Mapped(field.mapping, values);

@@ -16,15 +16,9 @@ namespace pixelexact::testing
 /// Points of prisms and hexahedra, in xi.
 inline const Vec3 kInside[] = { { -0.7, -0.2, -0.5 }, { -0.1, 0.9, -0.6 }, { -0.3, -0.9, -0.1 } };
 
-inline Expansion ViewOf(const SolverExpansion& e)
-{
-  return { e.spaces, e.spaceOf, e.offset, { e.coefficients.data.get(), e.coefficients.size },
-    e.components };
-}
-
 inline Mesh ViewOf(const SolverMesh& mesh)
 {
-  return { ViewOf(mesh.map), mesh.centre, mesh.size, mesh.uncertainty };
+  return { mesh.map.View(), mesh.centre, mesh.size, mesh.uncertainty };
 }
 
 inline Vec3 PointAt(const SolverModel& model, int element, const Vec3& xi)
@@ -39,8 +33,8 @@ inline std::vector<double> ValueAt(
 {
   const SolverField& f = model.fields.at(field);
   std::vector<double> value(f.values.components);
-  EvaluateAt(ViewOf(model.mesh), { f.name, ViewOf(f.values), f.mapping }, element,
-    std::span(&xi, 1), value, {});
+  EvaluateAt(ViewOf(model.mesh), { f.name, f.values.View(), f.mapping }, element, std::span(&xi, 1),
+    value, {});
   return value;
 }
 

@@ -75,7 +75,7 @@ long double ErrorOf(const SolverModel& model, const std::vector<KnownPoint>& poi
   std::vector<Field> fields;
   for (const SolverField& field : model.fields)
   {
-    fields.push_back({ field.name, ViewOf(field.values), field.mapping });
+    fields.push_back({ field.name, field.values.View(), field.mapping });
   }
   ExpressionScope scope;
   scope.fields = fields;

@@ -70,10 +70,9 @@ protected:
   std::deque<std::string> Texts;
 };
 
-std::vector<double> Coefficients(const SolverExpansion& expansion)
+std::vector<double> Coefficients(const OwnedExpansion& expansion)
 {
-  const double* data = expansion.coefficients.data.get();
-  return { data, data + expansion.coefficients.size };
+  return { expansion.coefficients.begin(), expansion.coefficients.end() };
 }
 
 void ExpectSameFields(const SolverModel& a, const SolverModel& b)

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pixelexact::testing
@@ -29,7 +30,7 @@ inline Vec3 FieldV(double x, double y, double z)
 }
 
 /// One element of order `order` for a function that lies in that space.
-inline void AddElement(ExpansionArrays& arrays, std::size_t element, int order,
+inline void AddElement(OwnedExpansion& arrays, std::size_t element, int order,
   const std::function<void(const LongVec3& xi, long double* values)>& function)
 {
   const Space space = UniformSpace(Shape::Hexahedron, order);
@@ -40,8 +41,8 @@ inline void AddElement(ExpansionArrays& arrays, std::size_t element, int order,
   {
     unit[static_cast<std::size_t>(c)] = 1.0;
     const auto modes = static_cast<std::size_t>(space.Modes());
-    change.Apply(unit, 0.0,
-      std::span(arrays.Coefficients(element) + static_cast<std::size_t>(c) * modes, modes));
+    change.Apply(
+      unit, 0.0, arrays.Coefficients(element).subspan(static_cast<std::size_t>(c) * modes, modes));
     unit[static_cast<std::size_t>(c)] = 0.0;
   }
 }
@@ -60,9 +61,9 @@ inline vtkSmartPointer<vtkUnstructuredGrid> BoxGrid(int n, const Vec3& centre = 
   const auto spaces = [count](int order)
   { return std::vector<Space>(count, UniformSpace(Shape::Hexahedron, order)); };
   mesh.map.Allocate(spaces(1), 3);
-  ExpansionArrays u;
-  ExpansionArrays v;
-  ExpansionArrays nan;
+  OwnedExpansion u;
+  OwnedExpansion v;
+  OwnedExpansion nan;
   u.Allocate(spaces(3), 1);
   v.Allocate(spaces(2), 3);
   nan.Allocate(spaces(0), 1);
@@ -106,7 +107,7 @@ inline vtkSmartPointer<vtkUnstructuredGrid> BoxGrid(int n, const Vec3& centre = 
         out[1] = y * z;
         out[2] = 1.0L - z;
       });
-    *nan.Coefficients(e) = e == 0 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+    nan.Coefficients(e)[0] = e == 0 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
 
     vtkIdType ids[8];
     for (int corner = 0; corner < 8; ++corner)
@@ -123,10 +124,10 @@ inline vtkSmartPointer<vtkUnstructuredGrid> BoxGrid(int n, const Vec3& centre = 
     }
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
   }
-  StoreMesh(grid, mesh, Origin::Coefficients);
-  StoreField(grid, "u", u, Origin::Coefficients);
-  StoreField(grid, "v", v, Origin::Coefficients);
-  StoreField(grid, "nan", nan, Origin::Coefficients);
+  StoreMesh(grid, std::move(mesh), Origin::Coefficients);
+  StoreField(grid, "u", { std::move(u) }, Origin::Coefficients);
+  StoreField(grid, "v", { std::move(v) }, Origin::Coefficients);
+  StoreField(grid, "nan", { std::move(nan) }, Origin::Coefficients);
   return grid;
 }
 } // namespace pixelexact::testing

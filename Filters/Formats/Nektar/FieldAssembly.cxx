@@ -202,7 +202,7 @@ private:
     return f * place.block->perField + place.data->offset + plane * place.data->count;
   }
 
-  SolverExpansion Assemble(std::size_t f, std::size_t strip, std::size_t plane)
+  OwnedExpansion Assemble(std::size_t f, std::size_t strip, std::size_t plane)
   {
     const std::size_t elements = Session.model.mesh.number.size();
     const std::size_t first = strip * elements;

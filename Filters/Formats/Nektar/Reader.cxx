@@ -259,11 +259,9 @@ SessionMesh OutlineOf(const SessionMesh& mesh)
   {
     return outline;
   }
-  const CoefficientBlock& block = whole.map.coefficients;
-  kept.map.offset = whole.map.offset;
   kept.map.components = whole.map.components;
-  kept.map.coefficients = { std::unique_ptr<double[]>(new double[block.size]), block.size };
-  std::copy_n(block.data.get(), block.size, kept.map.coefficients.data.get());
+  kept.map.Allocate();
+  std::ranges::copy(whole.map.coefficients, kept.map.coefficients.begin());
   kept.centre = whole.centre;
   kept.size = whole.size;
   kept.uncertainty = whole.uncertainty;

@@ -44,35 +44,28 @@ double FactorOf(Mapping mapping, const ElementPart& part, int c)
 }
 } // namespace
 
-SolverExpansion RestrictToParts(
-  const SolverExpansion& whole, Mapping mapping, std::span<const ElementPart> parts)
+OwnedExpansion RestrictToParts(
+  const OwnedExpansion& whole, Mapping mapping, std::span<const ElementPart> parts)
 {
-  SolverExpansion result;
+  OwnedExpansion result;
   result.spaces = whole.spaces;
   result.components = whole.components;
-  std::size_t size = 0;
   for (const ElementPart& part : parts)
   {
-    const auto e = static_cast<std::size_t>(part.element);
-    result.spaceOf.push_back(whole.spaceOf[e]);
-    result.offset.push_back(static_cast<std::int64_t>(size));
-    const Space& space = whole.spaces[static_cast<std::size_t>(whole.spaceOf[e])];
-    size += static_cast<std::size_t>(space.Modes()) * static_cast<std::size_t>(whole.components);
+    result.spaceOf.push_back(whole.spaceOf[static_cast<std::size_t>(part.element)]);
   }
-  result.coefficients = { std::make_unique<double[]>(size), size };
+  result.Allocate();
   std::map<Key, LineMatrix> known;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const ElementPart& part = parts[i];
     const auto e = static_cast<std::size_t>(part.element);
-    const Space& space = whole.spaces[static_cast<std::size_t>(whole.spaceOf[e])];
+    const Space& space = whole.SpaceOf(e);
     const auto modes = static_cast<std::size_t>(space.Modes());
     for (int c = 0; c < whole.components; ++c)
     {
-      const double* from =
-        &whole.coefficients.data[static_cast<std::size_t>(whole.offset[e]) + c * modes];
-      double* to =
-        &result.coefficients.data[static_cast<std::size_t>(result.offset[i]) + c * modes];
+      const double* from = whole.Coefficients(e).data() + c * modes;
+      double* to = result.Coefficients(i).data() + c * modes;
       std::vector<long double> grid(from, from + modes);
       GridSize points{ space.order[0] + 1, space.order[1] + 1, space.order[2] + 1 };
       for (int d = 0; d < 3; ++d)

@@ -19,6 +19,6 @@ struct ElementPart
 
 /// What functions on elements are on parts of them: the same polynomials, in the parts' xi; for
 /// vectors and densities times what the mapping makes of that.
-SolverExpansion RestrictToParts(
-  const SolverExpansion& whole, Mapping mapping, std::span<const ElementPart> parts);
+OwnedExpansion RestrictToParts(
+  const OwnedExpansion& whole, Mapping mapping, std::span<const ElementPart> parts);
 } // namespace pixelexact::rational

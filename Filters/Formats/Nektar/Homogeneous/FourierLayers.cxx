@@ -16,7 +16,7 @@ namespace pixelexact::nektar
 namespace
 {
 /// A bound of |function| on all elements.
-double LargestOf(const SolverExpansion& plane)
+double LargestOf(const OwnedExpansion& plane)
 {
   std::vector<std::vector<double>> bounds;
   for (const Space& space : plane.spaces)
@@ -28,7 +28,7 @@ double LargestOf(const SolverExpansion& plane)
   double largest = 0.0;
   for (std::size_t e = 0; e < plane.spaceOf.size(); ++e)
   {
-    const auto coefficients = CoefficientsOf(plane, e);
+    const auto coefficients = plane.Coefficients(e);
     double sum = 0.0;
     for (std::size_t m = 0; m < coefficients.size(); ++m)
     {
@@ -75,7 +75,7 @@ double AttainedRange(const HomogeneousField& field, const FourierLayers* y, cons
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   std::vector<double> middle(functions);
-  const SolverExpansion& first = field.planes.front();
+  const OwnedExpansion& first = field.planes.front();
   const std::size_t elements = first.spaceOf.size();
   for (std::size_t e = 0; e < elements; e += 1 + elements / kElements)
   {
@@ -83,12 +83,12 @@ double AttainedRange(const HomogeneousField& field, const FourierLayers* y, cons
     {
       for (std::size_t f = 0; f < functions; ++f)
       {
-        const SolverExpansion& plane = field.planes[begin + f];
-        const Space& space = plane.spaces[static_cast<std::size_t>(plane.spaceOf[e])];
+        const OwnedExpansion& plane = field.planes[begin + f];
+        const Space& space = plane.SpaceOf(e);
         std::vector<long double> modes(static_cast<std::size_t>(space.Modes()));
         EvaluateModes(space, { -0.4L, -0.4L, -0.4L }, modes.data());
         middle[f] = static_cast<double>(
-          std::inner_product(modes.begin(), modes.end(), CoefficientsOf(plane, e).begin(), 0.0L));
+          std::inner_product(modes.begin(), modes.end(), plane.Coefficients(e).begin(), 0.0L));
       }
       for (auto at = waves.begin(); at != waves.end(); at += static_cast<std::ptrdiff_t>(functions))
       {
@@ -192,13 +192,6 @@ double FourierLayers::Loss(std::size_t function, int order) const
     sum += n > order ? term : 0.0L;
   }
   return static_cast<double>(sum) * (1 + 1e-12);
-}
-
-std::span<const double> CoefficientsOf(const SolverExpansion& expansion, std::size_t e)
-{
-  const Space& space = expansion.spaces[static_cast<std::size_t>(expansion.spaceOf[e])];
-  return { &expansion.coefficients.data[static_cast<std::size_t>(expansion.offset[e])],
-    static_cast<std::size_t>(space.Modes() * expansion.components) };
 }
 
 Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z)

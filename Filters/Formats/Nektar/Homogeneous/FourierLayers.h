@@ -42,9 +42,6 @@ private:
   std::vector<long double> Bessel; ///< j_n of each function's phase, n to kMaxOrder
 };
 
-/// An element's coefficients.
-std::span<const double> CoefficientsOf(const SolverExpansion& expansion, std::size_t e);
-
 /// How near polynomials come to a field.
 struct Accuracy
 {

@@ -51,51 +51,45 @@ std::vector<double> LayerCoefficients(const FourierLayers& layers, int order)
   return values;
 }
 
-SolverExpansion AllocateLayers(
-  const SolverExpansion& plane, std::size_t layers, Along direction, int order)
+OwnedExpansion AllocateLayers(
+  const OwnedExpansion& plane, std::size_t layers, Along direction, int order)
 {
-  SolverExpansion lifted;
+  OwnedExpansion lifted;
   for (Space space : plane.spaces)
   {
     space.order[Across(space.shape, direction)] = static_cast<std::uint8_t>(order);
     lifted.spaces.push_back(space);
   }
-  std::size_t size = 0;
   for (std::size_t layer = 0; layer < layers; ++layer)
   {
-    for (const std::int32_t space : plane.spaceOf)
-    {
-      lifted.spaceOf.push_back(space);
-      lifted.offset.push_back(static_cast<std::int64_t>(size));
-      size += static_cast<std::size_t>(lifted.spaces[static_cast<std::size_t>(space)].Modes());
-    }
+    lifted.spaceOf.insert(lifted.spaceOf.end(), plane.spaceOf.begin(), plane.spaceOf.end());
   }
-  lifted.coefficients = { std::unique_ptr<double[]>(new double[size]), size };
+  lifted.Allocate();
   return lifted;
 }
 
 /// The field on them: `planes` has all functions of one beginning after the other.
-SolverExpansion LiftField(
-  std::span<const SolverExpansion> planes, const FourierLayers& layers, Along direction, int order)
+OwnedExpansion LiftField(
+  std::span<const OwnedExpansion> planes, const FourierLayers& layers, Along direction, int order)
 {
   const std::size_t elements = planes.front().spaceOf.size();
   const std::size_t functions = layers.Functions();
   const auto count = static_cast<std::size_t>(layers.Layers());
   const std::size_t orders = static_cast<std::size_t>(order) + 1;
   const auto along = LayerCoefficients(layers, order);
-  SolverExpansion lifted =
+  OwnedExpansion lifted =
     AllocateLayers(planes.front(), planes.size() / functions * count, direction, order);
   const auto lift = [&](std::size_t at, std::vector<double>& sums)
   {
     const std::size_t layer = at / elements % count;
     const auto own = planes.subspan(at / elements / count * functions, functions);
     const std::size_t e = at % elements;
-    const Space& space = lifted.spaces[static_cast<std::size_t>(lifted.spaceOf[at])];
-    const std::size_t modes = CoefficientsOf(own.front(), e).size();
+    const Space& space = lifted.SpaceOf(at);
+    const std::size_t modes = own.front().Coefficients(e).size();
     sums.assign(orders * modes, 0.0);
     for (std::size_t f = 0; f < functions; ++f)
     {
-      const auto source = CoefficientsOf(own[f], e);
+      const auto source = own[f].Coefficients(e);
       for (std::size_t n = 0; n < orders; ++n)
       {
         const double factor = along[(layer * functions + f) * orders + n];
@@ -108,7 +102,7 @@ SolverExpansion LiftField(
     const std::size_t across = Across(space.shape, direction);
     const bool downwards = space.shape == Shape::Prism; // xi2 runs against z
     std::vector<std::size_t> planar(orders, 0);
-    double* target = &lifted.coefficients.data[static_cast<std::size_t>(lifted.offset[at])];
+    double* target = lifted.Coefficients(at).data();
     ForEachMode(space,
       [&](int p, int q, int r, int mode)
       {
@@ -141,7 +135,7 @@ void LiftMesh(
   SolverMesh lifted;
   lifted.map.components = 3;
   lifted.map.spaces = mesh.map.spaces;
-  const std::size_t size = mesh.map.coefficients.size;
+  const std::size_t size = mesh.map.coefficients.size();
   const auto each = static_cast<std::size_t>(layers.Layers());
   const std::size_t count = each * begin.size();
   const std::int64_t largest = *std::ranges::max_element(mesh.number);
@@ -152,7 +146,7 @@ void LiftMesh(
       " layers has more elements, or larger numbers, than are read.");
   }
   const std::int64_t stride = 1 + largest;
-  lifted.map.coefficients = { std::unique_ptr<double[]>(new double[size * count]), size * count };
+  lifted.map.coefficients = CoefficientBlock(size * count);
   int exponent = 0;
   std::frexp(layers.Half(), &exponent);
   for (std::size_t layer = 0; layer < count; ++layer)
@@ -160,12 +154,12 @@ void LiftMesh(
     const double from = begin[layer / each];
     for (std::size_t e = 0; e < elements; ++e)
     {
-      const Space& space = mesh.map.spaces[static_cast<std::size_t>(mesh.map.spaceOf[e])];
+      const Space& space = mesh.map.SpaceOf(e);
       const auto modes = static_cast<std::size_t>(space.Modes());
       const auto offset = layer * size + static_cast<std::size_t>(mesh.map.offset[e]);
       const double own = std::max(mesh.size[e], std::ldexp(1.0, exponent)); // powers of two
-      double* target = &lifted.map.coefficients.data[offset];
-      std::ranges::transform(CoefficientsOf(mesh.map, e), target,
+      double* target = lifted.map.coefficients.data() + offset;
+      std::ranges::transform(mesh.map.Coefficients(e), target,
         [&](double value) { return value * (mesh.size[e] / own); });
       ForEachMode(space,
         [&](int p, int q, int r, int mode)
@@ -222,10 +216,10 @@ FourierLayers LayersAlongZ(const Homogeneous& along, bool imaginary)
 }
 
 /// The planes of a field in layers along y, those of one function of z after the other.
-std::vector<SolverExpansion> LiftAlongY(
-  std::vector<SolverExpansion> planes, const FourierLayers& layers, int order)
+std::vector<OwnedExpansion> LiftAlongY(
+  std::vector<OwnedExpansion> planes, const FourierLayers& layers, int order)
 {
-  std::vector<SolverExpansion> lifted;
+  std::vector<OwnedExpansion> lifted;
   for (std::size_t at = 0; at < planes.size(); at += layers.Functions())
   {
     lifted.push_back(
@@ -301,8 +295,7 @@ void LiftHomogeneous(const Homogeneous& along, const std::vector<double>& begin,
     if (along.half != HalfMode::None && !isImaginary)
     {
       CoefficientBlock& block = lifted.values.coefficients;
-      std::transform(
-        block.data.get(), block.data.get() + block.size, block.data.get(), std::negate<>());
+      std::ranges::transform(block, block.begin(), std::negate<>());
     }
     model.fields.push_back(std::move(lifted));
     orders += (orders.empty() ? "" : ", ") +

@@ -55,7 +55,7 @@ struct HomogeneousField
 {
   std::string name;
   std::string basis;
-  std::vector<SolverExpansion> planes;
+  std::vector<OwnedExpansion> planes;
 };
 
 /// Makes the model of a slab one of layers, in place, with these fields; their coefficients are
