@@ -114,6 +114,10 @@ class Table(ToolTest):
                 self.assertIn(settings.expected_of(row), done.stderr)
 
 
+def code_list(words):
+    return ", ".join(f"`{word}`" for word in words)
+
+
 class Formats(ToolTest):
     def write(self, name):
         path = self.folder / name
@@ -126,12 +130,33 @@ class Formats(ToolTest):
         self.assertIn(f"\n{formats.page_table()}\n", page)
 
     def test_readers_in_paraview(self):
-        """Each proxy of the plugin's readers has the suffixes of its own rows."""
+        """Each proxy of the plugin's readers has the suffixes of its own rows, and so has the page."""
         template = ElementTree.parse(ROOT / "ParaView" / "Readers.xml.in")
+        page = (PAGE.parent / "paraview.md").read_text(encoding="utf-8")
         for proxy in template.iter("SourceProxy"):
             readers = [hint.get("reader") for hint in proxy.iter("ReaderFactory")]
             self.assertEqual(readers, [proxy.get("name")])
-            self.assertTrue(formats.paraview_hints()[readers[0]][0])
+            suffixes = formats.paraview_hints()[readers[0]][0]
+            self.assertTrue(suffixes)
+            self.assertRegex(page, rf"\n\| {re.escape(proxy.get('label'))} \| {code_list(suffixes)}[;|\s]")
+
+    def test_suffixes_in_the_introduction(self):
+        """README names each suffix of the table."""
+        page = (ROOT / "README.md").read_text(encoding="utf-8")
+        for row in formats.load():
+            for suffix in row["mesh"] + row["fields"]:
+                self.assertIn(f"`{suffix}`", page)
+
+    def test_parts_in_folders(self):
+        """The folder of a field file holds parts of the suffixes that the row has in ParaView."""
+        row = next(row for row in formats.load() if row["field_folders"])
+        session = DATA / "nek_half_mode" / "nek_half_mode.xml"
+        for number, suffix in enumerate([*row["paraview_suffixes"], ".unknown"]):
+            folder = self.folder / f"{number}{row['fields'][0]}"
+            folder.mkdir()
+            (folder / f"P0000000{suffix}").write_text("x", encoding="utf-8")
+            done = self.fails(1, "info", session, folder)
+            self.assertEqual("holds no parts" in done.stderr, suffix == ".unknown", done.stderr)
 
     def test_suffixes_that_the_tool_lists(self):
         done = self.fails(1, "info", self.write("a.unknown"))
