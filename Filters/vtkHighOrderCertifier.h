@@ -66,7 +66,7 @@ protected:
   vtkHighOrderCertifier();
   ~vtkHighOrderCertifier() override;
 
-  bool Make(vtkDataObject* mesh, Output* output) override;
+  bool Make(vtkDataObject* input, Output* output) override;
 
 private:
   vtkHighOrderCertifier(const vtkHighOrderCertifier&) = delete;
