@@ -2,7 +2,6 @@
 #include "Trace/Contours/LayerSight.h"
 
 #include "Core/Shape/Shape.h"
-#include "Trace/Surfaces/ElementFaces.h"
 
 #include <glm/geometric.hpp>
 
@@ -24,7 +23,6 @@ LayerSight::LayerSight(TileVisit& tile, int layer)
   , Layer(layer)
   , TheSurface(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
   , ThePlane(dynamic_cast<const Plane*>(&TheSurface))
-  , TheFaces(dynamic_cast<const ElementFaces*>(&TheSurface))
 {
   const CameraRays& rays = Tile.GetCamera().Rays();
   IsParallel = rays.direction.u == Vec3(0.0) && rays.direction.v == Vec3(0.0);
@@ -87,7 +85,7 @@ EdgeEnd LayerSight::EndOf(
       end.piece = samples.piece[i];
       end.parameters[0] = samples.pieceU[i];
       end.parameters[1] = samples.pieceV[i];
-      end.face = TheFaces ? TheFaces->Faces()[static_cast<std::size_t>(end.piece)].face : -1;
+      end.face = TheSurface.FaceOf(end.piece);
     }
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);

@@ -37,8 +37,6 @@ inline EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const 
     samples.xi[i], samples.position[i] };
 }
 
-class ElementFaces;
-
 /// What the rays of a tile see of one layer's surface.
 class LayerSight
 {
@@ -86,8 +84,7 @@ private:
   TileVisit& Tile;
   int Layer;
   const Surface& TheSurface;
-  const Plane* ThePlane;        ///< the surface, if it is one
-  const ElementFaces* TheFaces; ///< the same
+  const Plane* ThePlane; ///< the surface, if it is one
   bool IsParallel;
   double MeshDepth = 0.0; ///< of the mesh's farthest point, or more
 };

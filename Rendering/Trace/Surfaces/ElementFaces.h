@@ -28,6 +28,10 @@ public:
   [[nodiscard]] const std::vector<ElementFace>& Faces() const { return TheFaces; }
 
   [[nodiscard]] bool IsOfMesh() const override { return true; }
+  [[nodiscard]] int FaceOf(std::int32_t piece) const override
+  {
+    return TheFaces[static_cast<std::size_t>(piece)].face;
+  }
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
   {

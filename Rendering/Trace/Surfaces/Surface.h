@@ -8,6 +8,7 @@
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -82,6 +83,10 @@ public:
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).
   [[nodiscard]] virtual bool IsOfMesh() const { return false; }
+
+  /// The number, as in FacesOf(shape), of the face of its element that a piece of the surface is;
+  /// -1: the surface does not consist of elements' faces.
+  [[nodiscard]] virtual int FaceOf(std::int32_t /*piece*/) const { return -1; }
 };
 
 struct Hit
