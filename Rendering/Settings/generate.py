@@ -3,7 +3,7 @@
 """Writes what is made from the tables of settings and file formats, settings.json and formats.json.
 
     generate.py cxx OUT.inc             the rows of the tool's options, for Tools/Base/Settings.cxx
-    generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/Input.cxx
+    generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/FormatTable.cxx
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
     generate.py readers TEMPLATE.in OUT ParaView's readers, with the suffixes of <ReaderFactory reader="..."
@@ -64,19 +64,19 @@ def write_cxx(out):
     out.write_text(BEGIN_CXX.format("settings.json") + "".join(rows), encoding="utf-8")
 
 
-def cxx_suffix(suffix, row, reader, is_folder):
+def cxx_suffix(suffix, row, reader, has_mesh, is_folder):
     return (
         f"  {{ .suffix = {cxx_string(suffix)}, .name = {cxx_string(row['name'])},"
-        f" .mayBeFolder = {str(is_folder).lower()}, .read = &{reader} }},\n"
+        f" .hasMesh = {str(has_mesh).lower()}, .mayBeFolder = {str(is_folder).lower()}, .read = &{reader} }},\n"
     )
 
 
 def write_formats(out):
     rows = []
     for row in formats.load():
-        rows += [cxx_suffix(suffix, row, row["reader"], False) for suffix in row["mesh"]]
+        rows += [cxx_suffix(suffix, row, row["reader"], True, False) for suffix in row["mesh"]]
         rows += [
-            cxx_suffix(suffix, row, "RefuseFieldFile", row["field_folders"])
+            cxx_suffix(suffix, row, "RefuseFieldFile", False, row["field_folders"])
             for suffix in formats.own_fields(row)
         ]
     out.write_text(BEGIN_CXX.format("formats.json") + "".join(rows), encoding="utf-8")

@@ -3,10 +3,8 @@
 
 #include "Base/Command.h"
 #include "Base/Report.h"
-#include "Input/BlockInput.h"
 #include "Input/ExodusName.h"
-#include "Input/NativeInput.h"
-#include "Input/VtkInput.h"
+#include "Input/Format.h"
 
 #include "Conversion/SourceCells.h"
 #include "Core/Base/Counted.h"
@@ -18,7 +16,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -29,25 +26,14 @@ namespace pixelexact
 {
 namespace
 {
-/// A suffix of a format's files, a row of Rendering/Settings/formats.json.
-struct Format
-{
-  const char* suffix;
-  const char* name;
-  bool mayBeFolder;
-  InputGrid (*read)(const InputRequest&); ///< RefuseFieldFile: the files hold fields alone
-};
-constexpr std::array kFormats = std::to_array<Format>({
-#include "FormatRows.inc"
-});
-
 /// Null where no format has the suffix.
 const Format* FindFormat(std::string suffix)
 {
   // Pieces of MFEM's parallel runs have a number for a suffix.
   suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
-  const auto* format = std::ranges::find(kFormats, suffix, &Format::suffix);
-  return format == kFormats.end() ? nullptr : format;
+  const std::span<const Format> formats = Formats();
+  const auto format = std::ranges::find(formats, suffix, &Format::suffix);
+  return format == formats.end() ? nullptr : &*format;
 }
 
 /// What the operating system can tell before a reader guesses.
@@ -191,9 +177,9 @@ namespace
 std::string InputSuffixes()
 {
   std::string suffixes;
-  for (const Format& format : kFormats)
+  for (const Format& format : Formats())
   {
-    if (format.read != &RefuseFieldFile)
+    if (format.hasMesh)
     {
       suffixes.append(suffixes.empty() ? "" : ", ").append(format.suffix);
     }
@@ -260,13 +246,13 @@ std::vector<double> ReadTimes(InputRequest request)
 bool HoldsFieldsAlone(const std::string& file)
 {
   const Format* format = FindFormat(SuffixOf(file));
-  return format != nullptr && format->read == &RefuseFieldFile;
+  return format != nullptr && !format->hasMesh;
 }
 
 bool IsMeshSuffix(const std::string& suffix)
 {
   const Format* format = FindFormat(suffix);
-  return format != nullptr && format->read != &RefuseFieldFile;
+  return format != nullptr && format->hasMesh;
 }
 
 InputGrid ReadInput(const InputRequest& request)

@@ -3,7 +3,7 @@
 
 #include "Input/Input.h"
 
-// The solvers' own formats, for Input.cxx. They throw as ReadInput.
+// The solvers' own formats, for FormatTable.cxx. They throw as ReadInput.
 namespace pixelexact
 {
 /// x.mesh [u.gf ...], x.000000 [u.000000 ...]

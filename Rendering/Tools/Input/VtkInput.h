@@ -3,7 +3,7 @@
 
 #include "Input/Input.h"
 
-// VTK's own formats, for Input.cxx. They throw as ReadInput.
+// VTK's own formats, for FormatTable.cxx. They throw as ReadInput.
 namespace pixelexact
 {
 /// .vtu and .pvtu: one, or the numbered ones of a time series.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Input/Input.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// A suffix of a format's files and the function that reads them: a row of
+/// Rendering/Settings/formats.json.
+struct Format
+{
+  const char* suffix;
+  const char* name;
+  bool hasMesh; ///< false: the files hold fields without a mesh, and `read` refuses them
+  bool mayBeFolder;
+  InputGrid (*read)(const InputRequest&); ///< throws as ReadInput
+};
+
+/// All rows, in the order in which messages list the suffixes. FormatTable.cxx defines it: that
+/// file alone includes all readers.
+[[nodiscard]] std::span<const Format> Formats();
+} // namespace pixelexact
