@@ -6,11 +6,13 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -44,7 +46,53 @@ std::string Gigabytes(double bytes)
   const auto size = static_cast<double>(sysconf(_SC_PAGESIZE));
   return pages > 0.0 && size > 0.0 ? pages * size : std::numeric_limits<double>::infinity();
 }
+/// run(begin, end) for ranges that follow each other from 0 to `count`, some hundredth of it each.
+/// False where `progress` ended it.
+template <class Run>
+bool InSteps(std::size_t count, const StepProgress& progress, const Run& run)
+{
+  constexpr std::size_t kSteps = 100;
+  const std::size_t step = std::max<std::size_t>(1, (count + kSteps - 1) / kSteps);
+  for (std::size_t begin = 0; begin < count; begin += step)
+  {
+    const std::size_t end = std::min(count, begin + step);
+    run(begin, end);
+    if (progress && !progress(static_cast<double>(end) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 } // namespace
+
+bool ParallelSteps(
+  std::size_t count, const StepProgress& progress, const std::function<void(std::size_t)>& work)
+{
+  return InSteps(count, progress,
+    [&work](std::size_t begin, std::size_t end) { tbb::parallel_for(begin, end, work); });
+}
+
+bool BatchedSteps(std::size_t count, std::size_t batch, bool alone, const StepProgress& progress,
+  const std::function<void(std::size_t, std::size_t)>& work)
+{
+  return InSteps(count, progress,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto one = [&](std::size_t b)
+      { work(begin + b * batch, std::min(end, begin + (b + 1) * batch)); };
+      const std::size_t batches = (end - begin + batch - 1) / batch;
+      if (!alone)
+      {
+        tbb::parallel_for(std::size_t{ 0 }, batches, one);
+        return;
+      }
+      for (std::size_t b = 0; b < batches; ++b)
+      {
+        one(b);
+      }
+    });
+}
 
 int FillOutput(vtkAlgorithm* filter, vtkDataObject* output, const std::function<bool()>& fill)
 {

@@ -4,6 +4,7 @@
 #include "Core/Math/Rounding.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/collaborative_call_once.h>
 #include <tbb/parallel_reduce.h>
 
 #include <limits>
@@ -17,6 +18,12 @@ namespace
 constexpr double kFloatRounding = 0x1p-19;
 } // namespace
 
+struct LayerBounds::SharedRange
+{
+  tbb::collaborative_once_flag computed;
+  Interval values{ 1.0, -1.0 };
+};
+
 LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   : TheIndex(locator.Index())
   , TheField(*layer.field)
@@ -24,8 +31,11 @@ LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
   , Made(static_cast<std::size_t>(locator.GetMesh().Elements()))
   , Plateaus(Made.Size())
+  , All(std::make_unique<SharedRange>())
 {
 }
+
+LayerBounds::~LayerBounds() = default;
 
 const ElementPlateaus& LayerBounds::PlateausOf(int element) const
 {
@@ -49,10 +59,10 @@ const EdgeBounds& LayerBounds::Of(int element) const
 
 const Interval& LayerBounds::Values() const
 {
-  tbb::collaborative_call_once(Found,
+  tbb::collaborative_call_once(All->computed,
     [this]
     {
-      All = tbb::parallel_reduce(
+      All->values = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, Made.Size()), Interval(kInfinity, -kInfinity),
         [this](const tbb::blocked_range<std::size_t>& elements, Interval all)
         {
@@ -65,7 +75,7 @@ const Interval& LayerBounds::Values() const
         },
         Join);
     });
-  return All;
+  return All->values;
 }
 
 const LayerBounds& ContourBounds::Of(const Locator& locator, const Layer& layer)

@@ -6,8 +6,6 @@
 #include "Core/Questions/Plateau.h"
 #include "Trace/Scene.h"
 
-#include <tbb/collaborative_call_once.h>
-
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,6 +21,9 @@ class LayerBounds
 {
 public:
   LayerBounds(const Locator& locator, const Layer& layer);
+  ~LayerBounds();
+  LayerBounds(const LayerBounds&) = delete;
+  LayerBounds& operator=(const LayerBounds&) = delete;
 
   /// Whether the field is a function without coefficients, of which nothing is known but values.
   [[nodiscard]] bool IsOfFunction() const { return TheField.function != nullptr; }
@@ -46,8 +47,8 @@ private:
   double Rounding;
   MadeOnDemand<EdgeBounds> Made;
   MadeOnDemand<ElementPlateaus> Plateaus;
-  mutable tbb::collaborative_once_flag Found;
-  mutable Interval All{ 1.0, -1.0 };
+  struct SharedRange;
+  std::unique_ptr<SharedRange> All; ///< computed by the first call of Values
 };
 
 /// What is known of the fields of one locator's mesh, kept from frame to frame. Safe to use from
