@@ -87,9 +87,14 @@ pixelexact::View vtkHighOrderMapper::Internals::ViewOf(vtkHighOrderMapper* self,
   {
     appearance.outlines = pixelexact::ToRgba(self->OutlineColor);
   }
+  if (self->ShowUndecided)
+  {
+    appearance.undecided = pixelexact::ToRgba(self->UndecidedColor);
+  }
   pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
   ofAll.appearance.contours = self->ContoursOfAll();
   std::copy_n(self->UnknownColor, 4, ofAll.appearance.unknown.begin());
+  ofAll.appearance.bands = self->Bands;
   TableLayer.reset();
   for (pixelexact::LayerRequest& layer :
     self->GetScene().MakeLayers(self, ofAll, model, Drawer.Surfaces()))
@@ -658,6 +663,9 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->FieldName = other->FieldName;
     this->SetComponent(other->Component);
     this->SetUnknownColor(other->UnknownColor);
+    this->SetBands(other->Bands);
+    this->SetShowUndecided(other->ShowUndecided);
+    this->SetUndecidedColor(other->UndecidedColor);
     this->SetProgressive(other->Progressive);
     this->SetStillSeconds(other->StillSeconds);
     this->SetRangeMode(other->RangeMode);
@@ -679,6 +687,10 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";
+  os << indent << "Bands: " << this->Bands << "\n";
+  os << indent << "ShowUndecided: " << (this->ShowUndecided ? "on" : "off") << "\n";
+  os << indent << "UndecidedColor: " << this->UndecidedColor[0] << ", " << this->UndecidedColor[1]
+     << ", " << this->UndecidedColor[2] << "\n";
   os << indent << "Progressive: " << (this->Progressive ? "on" : "off") << "\n";
   os << indent << "StillSeconds: " << this->StillSeconds << "\n";
   os << indent << "Models: " << this->GetNumberOfModelBuilds()

@@ -216,6 +216,29 @@ public:
 
   ///@{
   /**
+   * From 1 to 256: values are shown in so many steps of one colour, equally wide over the range of
+   * each lookup table (equal ratios where it is logarithmic). 0, the default: the table's own
+   * colours. The table itself, which a scalar bar shows, stays as it is.
+   */
+  vtkSetClampMacro(Bands, int, 0, 256);
+  vtkGetMacro(Bands, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether pixels have the UndecidedColor where the proven enclosure of the value does not decide
+   * the colour, or where it is undecided whether a contour crosses them. The default is off; the
+   * colour's default is a red. An error with several Samples, and with layers in single precision.
+   */
+  vtkSetMacro(ShowUndecided, bool);
+  vtkGetMacro(ShowUndecided, bool);
+  vtkBooleanMacro(ShowUndecided, bool);
+  vtkSetVector3Macro(UndecidedColor, double);
+  vtkGetVector3Macro(UndecidedColor, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether coarse frames are shown while the window is in a hurry. The default is on.
    */
   vtkSetMacro(Progressive, bool);
@@ -291,6 +314,9 @@ protected:
   std::string FieldName;
   int Component = -2;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
+  int Bands = 0;
+  bool ShowUndecided = false;
+  double UndecidedColor[3] = { 1.0, 0.0, 0.5 };
   bool Progressive = true;
   double StillSeconds = 0.0;
   int RangeMode = RANGE_OF_FIELD;

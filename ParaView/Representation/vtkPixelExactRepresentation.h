@@ -93,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Contours, edges and samples; see vtkHighOrderMapper.
+   * Contours, edges, samples, bands and undecided pixels; see vtkHighOrderMapper.
    */
   void SetContourValue(int i, double value);
   void SetNumberOfContours(int number);
@@ -105,10 +105,15 @@ public:
   void SetContourLabelSize(int size);
   void SetContoursOnly(bool only);
   void SetContourInterior(bool interior);
+  void SetShowUndecidedContours(bool show);
+  void SetUndecidedContourColor(double red, double green, double blue);
   void SetEdgeVisibility(bool visible);
   void SetEdgesByKind(bool byKind);
   void SetSamples(int samples);
   void SetLightFlat(bool light);
+  void SetBands(int bands);
+  void SetShowUndecided(bool show);
+  void SetUndecidedColor(double red, double green, double blue);
   ///@}
 
   ///@{

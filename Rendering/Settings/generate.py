@@ -50,6 +50,7 @@ def cxx_row(row):
         "excludes": " ".join(row["excludes"]),
         "implied": settings.number_text(row["implied"]) if row["implied"] is not None else "",
         "python": row["python"] or "", "vtk": " ".join(vtk), "layer": row["layer"] or "",
+        "toolOnly": row["tool_only"] or "",
     }
     fields = {"type": f"SettingType::{kind}", "repeated": str(bool(row["repeated"])).lower()}
     fields |= {name: cxx_string(text) for name, text in texts.items()}

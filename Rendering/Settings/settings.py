@@ -52,6 +52,7 @@ KEYS = {
     "help": "one or two sentences; {min}, {max}, {implied}, {suffixes} and {field_suffixes} of"
             " formats.json, and what FillHelp (Tools/Base) fills in",
     "layer": "the key of --layer",
+    "tool_only": "why Python, VTK and ParaView have no such setting, as options.md states it",
     "vtk": "properties of VTK's classes: \"Class.Property\", or an object of VTK_KEYS",
     "python": "the keyword of pixelexact.cut or render",
     "python_default": "its default, where it differs from the option's",
@@ -147,6 +148,8 @@ def _complete(given, sets):
     where = row["option"] or row["python"]
     if unknown or row["type"] not in FORMS or not row["help"]:
         raise ValueError(f"{where}: unknown keys {sorted(unknown)}, type {row['type']!r}, or no help")
+    if row["tool_only"] and (row["vtk"] or row["python"]):
+        raise ValueError(f"{where}: tool_only, and a setting of Python or VTK")
     row["commands"] = _commands(row["commands"], sets)
     for key in ("common", "required"):
         row[key] = row["commands"] if row[key] is True else _commands(row[key], sets)

@@ -141,6 +141,11 @@ def actor_of(view):
     if "contour_labels" in view:
         mapper.ContourLabelsOn()
         mapper.SetContourLabelSize(view["contour_labels"])
+    mapper.SetBands(view.get("bands", 0))
+    mapper.SetShowUndecided(view.get("show_undecided", False))
+    mapper.SetUndecidedColor(view.get("undecided_color", [1, 0, 0.5]))
+    mapper.SetShowUndecidedContours(view.get("show_undecided_contours", False))
+    mapper.SetUndecidedContourColor(view.get("undecided_contour_color", [0, 0.5, 0.5]))
     mapper.SetSamples(view.get("samples", 1))
     mapper.SetEdgesByKind(view.get("edges_by_kind", False))
     mapper.SetOutlines(view.get("outlines", False))

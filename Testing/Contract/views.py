@@ -171,6 +171,15 @@ def _known():
         {**plane, "range": "symmetric-field", "colormap": "coolwarm"},
         {**plane, "contours": 4, "contours_only": True, "background": "none"},
         {**plane, "clip": [[0, 0, 0, 1, 0.3, 0]]},
+        {**plane, "bands": 5, "contours": 4, "contour_color": "map"},
+        {**plane, "bands": 6, "range": [0.01, 0.5], "log": True},
+        {**iso, "layers": two, "bands": 3, "range": "field"},
+        {**plane, "show_undecided": True},
+        {**plane, "show_undecided": True, "bands": 4, "undecided_color": [0, 1, 0]},
+        {**iso, "layers": ball, "show_undecided": True, "contours": 12, "contour_width": 3},
+        {**iso, "layers": two, "show_undecided": True, "contours": 5},
+        {**iso, "layers": ball, "contours": 12, "show_undecided_contours": True,
+         "undecided_contour_color": [1, 0.5, 0]},
         {**iso, "layers": ball, "clip": [[1, 0, 0, 0, 0, 1], [1, 0, 0, 1, 0, 0]]},
     ]
 

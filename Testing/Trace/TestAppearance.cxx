@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -184,6 +185,57 @@ TEST(Appearance, PipelinesDrawWhatIsAskedForInOneOrder)
   EXPECT_EQ(modules(), 5U);
   EXPECT_EQ(modules({ .edges = false }), 4U);
   EXPECT_EQ(modules({ .edges = false, .contours = false }), 3U);
+}
+
+TEST(Appearance, BandsHaveTheColourOfTheirMiddle)
+{
+  AppearanceScene made;
+  const auto greys = [&made](const std::vector<double>& values)
+  {
+    std::vector<Rgba> colors(values.size());
+    Resolve(made.view, &made.frame, made.fields).layers[0].map(values, colors[0].data());
+    std::vector<int> red;
+    std::ranges::transform(colors, std::back_inserter(red), [](const Rgba& c) { return c[0]; });
+    return red;
+  };
+  LayerAppearance& layer = made.appearance.layers[0];
+  layer.range = { RangeRule::Of::Ends, { 0.0, 1.0 } };
+  layer.bands = 4;
+  EXPECT_EQ(
+    greys({ -7.0, 0.0, 0.24, 0.26, 1.0, 7.0 }), (std::vector<int>{ 31, 31, 31, 95, 223, 223 }));
+  // Bands of equal ratio: from 1 to 10 and from 10 to 100.
+  layer.table = std::make_shared<GreyTable>(true);
+  layer.range = { RangeRule::Of::Ends, { 1.0, 100.0 } };
+  layer.bands = 2;
+  EXPECT_EQ(greys({ 1.0, 5.0, 50.0, 200.0 }), (std::vector<int>{ 5, 5, 78, 78 }));
+}
+
+TEST(Appearance, UndecidedPixelsAreMarkedOnSurfacesWithTheColoursOfValues)
+{
+  AppearanceScene made;
+  const auto isMarked = [&made]
+  {
+    Painter painter(made.view, Resolve(made.view, &made.frame, made.fields));
+    const bool marks = painter.Undecided() != nullptr;
+    EXPECT_EQ(marks, Has(NeedsOf(made.view), Buffer::Enclosure));
+    EXPECT_EQ(marks, painter.MakePipeline().colors.back() == painter.Undecided());
+    return marks;
+  };
+  EXPECT_FALSE(isMarked());
+  made.appearance.undecided = Rgba{ 255, 0, 0, 255 };
+  EXPECT_TRUE(isMarked());
+  made.appearance.samples = 4;
+  EXPECT_THROW(isMarked(), Error);
+  made.appearance.samples = 1;
+  made.appearance.layers[0].contours.values = { 0.5 };
+  made.appearance.contours.only = Rgba{};
+  EXPECT_FALSE(isMarked());
+  made.appearance.contours.only.reset();
+  for (LayerAppearance& layer : made.appearance.layers)
+  {
+    layer.solid = Rgba{ 1, 2, 3, 255 };
+  }
+  EXPECT_FALSE(isMarked());
 }
 
 TEST(Appearance, LabelsAreLeftOutWhereSheetsAreDrawnOneByOne)

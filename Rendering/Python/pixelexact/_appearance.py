@@ -72,6 +72,7 @@ def set_colors(
     cmap: Union[str, vtkScalarsToColors],
     color: Optional[Color],
     log: bool,
+    bands: Optional[int],
 ) -> None:
     """The lookup table, or one colour in its place."""
     if isinstance(cmap, vtkScalarsToColors):
@@ -85,9 +86,24 @@ def set_colors(
         if not hasattr(mapper.GetLookupTable(), "SetScaleToLog10"):
             raise ValueError("log: a vtkLookupTable or the name of a colour map, not this cmap")
         mapper.GetLookupTable().SetScaleToLog10()
+    mapper.SetBands(bands or 0)
     if color is not None:
         mapper.ScalarVisibilityOff()
         actor.GetProperty().SetColor(color_of(color, "color"))
+
+
+def set_undecided(
+    mapper: Any,
+    show_undecided: bool,
+    undecided_color: Color,
+    show_undecided_contours: bool,
+    undecided_contour_color: Color,
+) -> None:
+    """Colours of pixels that are not proven."""
+    mapper.SetShowUndecided(show_undecided)
+    mapper.SetUndecidedColor(color_of(undecided_color, "undecided_color"))
+    mapper.SetShowUndecidedContours(show_undecided_contours)
+    mapper.SetUndecidedContourColor(color_of(undecided_contour_color, "undecided_contour_color"))
 
 
 def set_lights(mapper: Any, actor: Any, lights: str) -> None:

@@ -18,6 +18,7 @@ from ._appearance import (
     set_edges,
     set_lights,
     set_range,
+    set_undecided,
 )
 from ._expressions import FieldName, expression_of
 from ._picture import Cut
@@ -92,6 +93,7 @@ def cut(
     cmap: Union[str, vtkScalarsToColors] = "viridis",
     color: Optional[Color] = None,
     log: bool = False,
+    bands: Optional[int] = None,
     lights: str = "curved",
     samples: int = 1,
     contours: Union[int, Sequence[float], None] = None,
@@ -99,6 +101,10 @@ def cut(
     contour_color: Union[str, Color] = (0.0, 0.0, 0.0),
     contour_labels: Union[bool, int, None] = None,
     contours_only: bool = False,
+    show_undecided_contours: bool = False,
+    undecided_contour_color: Color = (0.0, 0.5, 0.5),
+    show_undecided: bool = False,
+    undecided_color: Color = (1.0, 0.0, 0.5),
     edges: Union[bool, float] = False,
     edge_color: Color = (0.0, 0.0, 0.0),
     edges_by_kind: bool = False,
@@ -127,10 +133,14 @@ def cut(
         samples=samples,
         contour_width=contour_width,
         contours_only=contours_only,
+        show_undecided_contours=show_undecided_contours,
+        show_undecided=show_undecided,
         edges_by_kind=edges_by_kind,
         outlines=outlines,
         opacity=opacity,
     )
+    if bands is not None:
+        check(bands=bands)
     source = source_of(grid, progress)
     name = field_of(source, field)
     mapper = vtkHighOrderMapper()
@@ -146,12 +156,15 @@ def cut(
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetOpacity(opacity)
-    set_colors(mapper, actor, cmap, color, log)
+    set_colors(mapper, actor, cmap, color, log, bands)
     set_range(mapper, clim)
     set_lights(mapper, actor, lights)
     set_edges(mapper, actor, edges, edge_color, edges_by_kind, outlines, outline_color)
     set_contours(
         mapper, contours, contour_width, contour_color, contour_labels, contours_only
+    )
+    set_undecided(
+        mapper, show_undecided, undecided_color, show_undecided_contours, undecided_contour_color
     )
     set_clip(mapper, clip)
     mapper.SetSamples(samples)

@@ -68,6 +68,7 @@ std::string ItemOf(const CLI::App& program, const Setting& row, std::string_view
   text += row.layer.empty() ? "" : fmt::format(" Key of `--layer`: `{}`.", row.layer);
   text += row.python.empty() ? "" : fmt::format(" Python: `{}`.", row.python);
   text += row.vtk.empty() ? "" : " VTK: " + SettersOf(row) + ".";
+  text += row.toolOnly.empty() ? "" : fmt::format(" The tool alone has it: {}.", row.toolOnly);
   return text + "\n";
 }
 } // namespace

@@ -48,6 +48,7 @@ struct Setting
   std::string_view python;   ///< the keyword of pixelexact.cut or render
   std::string_view vtk;      ///< Class.Property
   std::string_view layer;    ///< its key in --layer
+  std::string_view toolOnly; ///< why Python and VTK have no such setting; empty: they have, or may
   int count;                 ///< how many numbers a value has
   double lowest;
   double highest;

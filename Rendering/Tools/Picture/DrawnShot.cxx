@@ -46,7 +46,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   const bool hasContours = painter.Contours() != nullptr;
   std::optional<std::vector<ContourPath>> contours;
   // Undecided pixels are in the pixels.
-  if (paths && hasContours && !options.contours.Style().showUndecided)
+  if (paths && hasContours && painter.Lines()->DrawsUndecided())
   {
     contours = PathsOfContours(shot, painter.Contours()->Values().front());
   }
@@ -55,10 +55,10 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
     TellWhatStays("contours", contours.has_value());
   }
   Pipeline pipeline = painter.MakePipeline({ .edges = !edges, .contours = !contours });
-  Told.AddTo(pipeline, shot, *Colors, Pixels);
+  Told.AddTo(pipeline, shot, Pixels);
   const View& view = Colors->GetView();
   Repaint(view.scene, view.camera.Make(), pipeline, Pixels);
-  Told.Count(Pixels);
+  Told.Count(Pixels, painter.Undecided());
   if (edges)
   {
     AddLines(*edges, shot.edges->width, shot.edges->colors.front());
@@ -131,9 +131,9 @@ void DrawnShot::DrawFigure(Canvas& canvas) const
 {
   FigureContent content{ Of, *Colors, Pixels, Options.shot.colors, true, {} };
   content.bars = !Options.contours.Only() || Options.contours.ByMap();
-  if (const auto color = Told.UndecidedMark())
+  if (Told.UndecidedPixels() > 0)
   {
-    content.marks.push_back({ *color, "undecided" });
+    content.marks.push_back({ *Colors->GetView().appearance.undecided, "undecided" });
   }
   Options.figure.Draw(canvas, Options.shot.size, content);
 }

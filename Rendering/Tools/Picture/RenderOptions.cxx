@@ -31,6 +31,7 @@ void RenderOptions::AddTo(CLI::App& command)
   Bind(command, "--clip", shot.clip);
   contours.AddTo(command);
   debug.AddTo(command);
+  shot.colors.AddUndecidedTo(command);
   Bind(command, "--output", output);
   buffers.AddTo(command);
   lines.AddTo(command);

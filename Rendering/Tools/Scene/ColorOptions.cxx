@@ -21,43 +21,6 @@ namespace pixelexact
 {
 namespace
 {
-std::array<double, 2> Log10(const std::array<double, 2>& range)
-{
-  return { std::log10(range[0]), std::log10(range[1]) };
-}
-
-/// The colours of `map`, which spans powers of ten, by value: what has no logarithm gets the colour
-/// of NaN.
-ColorMap ByLogarithm(ColorMap map)
-{
-  return [map = std::move(map)](std::span<const double> values, std::uint8_t* rgba)
-  {
-    std::vector<double> logarithms(values.size());
-    std::transform(values.begin(), values.end(), logarithms.begin(),
-      [](double v) { return v > 0.0 ? std::log10(v) : std::numeric_limits<double>::quiet_NaN(); });
-    map(logarithms, rgba);
-  };
-}
-
-/// The colours of `map` in the middles of so many equal parts of what it spans.
-ColorMap ByBands(ColorMap map, const std::array<double, 2>& range, int bands)
-{
-  return [map = std::move(map), range, bands](std::span<const double> values, std::uint8_t* rgba)
-  {
-    const double length = range[1] - range[0];
-    std::vector<double> middles(values.begin(), values.end());
-    for (double& value : middles)
-    {
-      if (std::isfinite(value) && length > 0.0)
-      {
-        const double part = std::floor((value - range[0]) / length * bands);
-        value = range[0] + (std::clamp(part, 0.0, bands - 1.0) + 0.5) / bands * length;
-      }
-    }
-    map(middles, rgba);
-  };
-}
-
 std::string MapNames()
 {
   return Listed(ColorMapNames());
@@ -129,6 +92,17 @@ void ColorOptions::AddTo(CLI::App& command)
     [this](const std::string& text) { Background = ReadBackground(text); });
 }
 
+void ColorOptions::AddUndecidedTo(CLI::App& command)
+{
+  Bind(command, "--show-undecided", ShowUndecided);
+  Bind(command, "--undecided-color", UndecidedColor);
+}
+
+std::optional<Rgba> ColorOptions::Undecided() const
+{
+  return ShowUndecided ? std::optional(ToRgba(UndecidedColor.data())) : std::nullopt;
+}
+
 void ColorOptions::Check() const
 {
   if (Log)
@@ -146,21 +120,26 @@ std::optional<std::array<double, 3>> ColorOptions::Solid() const
 ColorMap ColorOptions::MapOver(
   const std::array<double, 2>& range, const std::optional<std::string>& map) const
 {
-  const std::array<double, 2> spanned = Log ? Log10(range) : range;
-  const auto table = TableOf(map.value_or(Map), spanned);
+  const auto table = TableOf(map.value_or(Map), range);
+  SetScale(*table);
+  return ToColorMap(table);
+}
+
+void ColorOptions::SetScale(vtkLookupTable& table) const
+{
+  if (Log)
+  {
+    table.SetScaleToLog10();
+  }
   if (!NanColor.empty())
   {
-    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
+    table.SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
   }
-  ColorMap colors = ToColorMap(table);
-  colors = TheBands ? ByBands(std::move(colors), spanned, *TheBands) : colors;
-  return Log ? ByLogarithm(colors) : colors;
 }
 
 vtkSmartPointer<vtkLookupTable> ColorOptions::TableOver(
   const std::array<double, 2>& range, const std::optional<std::string>& map) const
 {
-  // Over powers of ten, as MapOver; VTK takes logarithms of values and of the range.
   const auto smooth = TableOf(map.value_or(Map), { 0.0, 1.0 });
   const int count = TheBands.value_or(static_cast<int>(smooth->GetNumberOfTableValues()));
   auto table = vtkSmartPointer<vtkLookupTable>::New();
@@ -172,15 +151,8 @@ vtkSmartPointer<vtkLookupTable> ColorOptions::TableOver(
       (i + 0.5) / count * static_cast<double>(smooth->GetNumberOfTableValues()));
     table->SetTableValue(i, smooth->GetTableValue(at));
   }
-  if (Log)
-  {
-    table->SetScaleToLog10();
-  }
   table->SetNanColor(smooth->GetNanColor());
-  if (!NanColor.empty())
-  {
-    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
-  }
+  SetScale(*table);
   return table;
 }
 

@@ -23,6 +23,8 @@ class ColorOptions
 {
 public:
   void AddTo(CLI::App& command);
+  /// Declares how pixels that are not proven are painted.
+  void AddUndecidedTo(CLI::App& command);
 
   /// Throws UsageError for what the command line alone shows to be wrong.
   void Check() const;
@@ -32,16 +34,19 @@ public:
   [[nodiscard]] bool Logarithm() const { return Log; }
   /// The colour in the place of the map's; none: by value.
   [[nodiscard]] std::optional<std::array<double, 3>> Solid() const;
-  /// `map`: another map than that of all layers. Throws UsageError where there is no such map.
+  /// The colours without bands. `map`: another map than that of all layers. Throws UsageError where
+  /// there is no such map.
   [[nodiscard]] ColorMap MapOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
-  /// The same as a table, for mappers.
+  /// The same in bands, as a table of a scalar bar.
   [[nodiscard]] vtkSmartPointer<vtkLookupTable> TableOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
   /// So many steps of colour in the place of a smooth map; none: smooth.
   [[nodiscard]] std::optional<int> Bands() const { return TheBands; }
+  /// The colour of pixels that are not proven; none: they are not marked.
+  [[nodiscard]] std::optional<Rgba> Undecided() const;
 
   /// Of alpha 0 where there is none.
   [[nodiscard]] Rgba BackgroundColor() const;
@@ -49,12 +54,17 @@ public:
   [[nodiscard]] Image Flatten(const Frame& frame) const;
 
 private:
+  /// Sets what does not depend on the table's colours: the logarithm and the colour of NaN.
+  void SetScale(vtkLookupTable& table) const;
+
   std::string Map = "viridis";
   RangeRule TheRange;
   std::vector<double> Color;
   bool Log = false;
   std::vector<double> NanColor;
   std::optional<int> TheBands;
+  bool ShowUndecided = false;
+  std::vector<double> UndecidedColor{ 1.0, 0.0, 0.5 };
   std::optional<std::array<double, 3>> Background{ { 1.0, 1.0, 1.0 } };
 };
 

@@ -171,7 +171,7 @@ ContourStyle ContourOptions::Style() const
 {
   ContourStyle style;
   style.width = Width;
-  style.showUndecided = ShowUndecided || IsGiven(*Command, "--show-undecided");
+  style.showUndecided = ShowUndecided;
   style.undecided = ToRgba(UndecidedColor.data());
   style.keepBeneath = LabelHeight.has_value();
   return style;

@@ -6,12 +6,9 @@
 #include "Base/Report.h"
 #include "Core/Base/Counted.h"
 #include "Core/Location/Owners.h"
-#include "Scene/ColorOptions.h"
 #include "Scene/Effects.h"
 #include "Scene/LayerOptions.h"
 #include "Scene/Shot.h"
-#include "Scene/ShotAppearance.h"
-#include "Views/VtkLook.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
@@ -117,8 +114,6 @@ void DebugOptions::AddTo(CLI::App& added)
   FillHelp(added, "--show", "validity", TextOf(ValidityColors::Legend()));
   FillHelp(added, "--show", "jumps", TextOf(JumpColors::Legend()));
   Bind(added, "--enclosures", Enclosures);
-  Bind(added, "--show-undecided", ShowUndecided);
-  Bind(added, "--undecided-color", UndecidedColor);
 }
 
 void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) const
@@ -133,7 +128,7 @@ void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) 
   {
     throw UsageError("--owners and --show " + Show + " paint the same pixels; choose one");
   }
-  if (ShowUndecided && (Owners || Show != "field"))
+  if (MarksUndecided() && IsInPlace())
   {
     throw UsageError("--show-undecided needs the field's colours; leave out --owners and --show");
   }
@@ -148,11 +143,15 @@ Buffer DebugOptions::Needs() const
   return (Owners ? Buffer::Coverage : Buffer::None) |
     (Show == "validity" ? Buffer::Element : Buffer::None) |
     (Show == "jumps" ? NeedsOfCutJumps() : Buffer::None) |
-    (Enclosures || ShowUndecided ? Buffer::Enclosure : Buffer::None);
+    (Enclosures || MarksUndecided() ? Buffer::Enclosure : Buffer::None);
 }
 
-void DebugOptions::AddTo(
-  Pipeline& pipeline, const Shot& shot, const ShotAppearance& appearance, Frame& frame)
+bool DebugOptions::MarksUndecided() const
+{
+  return IsGiven(*Command, "--show-undecided");
+}
+
+void DebugOptions::AddTo(Pipeline& pipeline, const Shot& shot, Frame& frame)
 {
   if (Owners)
   {
@@ -172,19 +171,9 @@ void DebugOptions::AddTo(
   {
     pipeline.colors = { InPlace.get() };
   }
-  if (ShowUndecided)
-  {
-    OnTop = std::make_shared<UndecidedColors>(appearance.Maps(), ToRgba(UndecidedColor.data()));
-    pipeline.colors.push_back(OnTop.get());
-  }
 }
 
-std::optional<Rgba> DebugOptions::UndecidedMark() const
-{
-  return ColorUndecided > 0 ? std::optional(ToRgba(UndecidedColor.data())) : std::nullopt;
-}
-
-void DebugOptions::Count(const Frame& frame)
+void DebugOptions::Count(const Frame& frame, const UndecidedColors* undecided)
 {
   if (Owners)
   {
@@ -194,11 +183,11 @@ void DebugOptions::Count(const Frame& frame)
   {
     CountValidity(frame);
   }
-  if (OnTop)
+  if (undecided != nullptr)
   {
-    ColorUndecided = OnTop->Count(frame.centres);
+    ColorUndecided = undecided->Count(frame.centres);
   }
-  if (Enclosures || ShowUndecided)
+  if (Enclosures || MarksUndecided())
   {
     CountEnclosures(frame);
   }
@@ -266,11 +255,11 @@ void DebugOptions::AddTo(Table& table) const
   {
     Jumps->AddTo(table);
   }
-  if (Enclosures || ShowUndecided)
+  if (Enclosures || MarksUndecided())
   {
     table.Row("enclosures", "widest {}, {} without bounds", Short(Widest), Unbounded);
   }
-  if (ShowUndecided)
+  if (MarksUndecided())
   {
     table.Row("colours", "{} undecided", ColorUndecided);
   }
@@ -291,11 +280,11 @@ void DebugOptions::AddTo(nlohmann::ordered_json& summary) const
   {
     Jumps->AddTo(summary);
   }
-  if (Enclosures || ShowUndecided)
+  if (Enclosures || MarksUndecided())
   {
     summary["enclosures"] = { { "widest", Widest }, { "unbounded", Unbounded } };
   }
-  if (ShowUndecided)
+  if (MarksUndecided())
   {
     summary["color_undecided"] = ColorUndecided;
   }

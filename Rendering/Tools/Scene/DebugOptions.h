@@ -42,10 +42,7 @@ private:
   std::span<const std::int64_t> SourceCells; ///< by element, the numbers that users know
 };
 
-class ShotAppearance;
-class Table;
 struct LayerSettings;
-struct Shot;
 
 /// What render shows and tells beyond the field: how sound the mesh is where it is cut, and how far
 /// the values are proven. Nothing of it costs a render that does not ask.
@@ -60,21 +57,19 @@ public:
   /// Whether a legend's colours are painted in the place of the field's.
   [[nodiscard]] bool IsInPlace() const { return Owners || Show != "field"; }
   /// Whether colours are a legend's, and must not be mixed.
-  [[nodiscard]] bool NeedsPureColors() const { return IsInPlace() || ShowUndecided; }
+  [[nodiscard]] bool NeedsPureColors() const { return IsInPlace() || MarksUndecided(); }
 
   /// The buffers that it takes.
   [[nodiscard]] Buffer Needs() const;
 
-  /// Adds what was asked for to a pipeline that shows the field, or puts it in the field's place:
-  /// of a frame whose samples are there, and whose buffer of jumps it fills. What is pointed to
-  /// lives here.
-  void AddTo(Pipeline& pipeline, const Shot& shot, const ShotAppearance& appearance, Frame& frame);
+  /// Replaces a pipeline's colours by those of a legend, where these are asked for. The frame must
+  /// have its samples, and its buffer of jumps is filled. The pipeline points to this object.
+  void AddTo(Pipeline& pipeline, const Shot& shot, Frame& frame);
 
-  /// The colour of undecided pixels, where the frame that was counted has some.
-  [[nodiscard]] std::optional<Rgba> UndecidedMark() const;
-
-  /// Counts what was found in a frame.
-  void Count(const Frame& frame);
+  /// Counts what was found in a frame. `undecided`: the painter's; null: no pixels are marked.
+  void Count(const Frame& frame, const UndecidedColors* undecided);
+  /// How many pixels of the frame that was counted have a colour that is not proven.
+  [[nodiscard]] std::int64_t UndecidedPixels() const { return ColorUndecided; }
 
   /// What was found: call after Count.
   void AddTo(Table& table) const;
@@ -83,6 +78,8 @@ public:
 private:
   using Counts = std::vector<std::int64_t>; ///< pixels per entry of a legend
 
+  /// Whether --show-undecided is given.
+  [[nodiscard]] bool MarksUndecided() const;
   void CountValidity(const Frame& frame);
   void CountCoverage(const Frame& frame);
   void CountEnclosures(const Frame& frame);
@@ -90,13 +87,10 @@ private:
   const CLI::App* Command = nullptr;
   bool Owners = false;
   bool Enclosures = false;
-  bool ShowUndecided = false;
   std::string Show = "field";
-  std::vector<double> UndecidedColor{ 1.0, 0.0, 0.5 };
 
   std::shared_ptr<SampleColors> InPlace; ///< of the field's colours
-  std::shared_ptr<UndecidedColors> OnTop;
-  std::vector<Validity> Verdicts; ///< of elements
+  std::vector<Validity> Verdicts;        ///< of elements
   std::optional<FoundJumps> Jumps;
 
   Counts Coverages;  ///< by Coverage

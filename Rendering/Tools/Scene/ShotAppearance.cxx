@@ -120,6 +120,7 @@ LayerAppearance AppearanceOfLayer(
   {
     appearance.table = std::make_shared<OptionTable>(colors, settings.colormap, field->name);
   }
+  appearance.bands = colors.Bands().value_or(0);
   appearance.range = settings.range.value_or(colors.Range());
   if (const auto solid = SolidOf(colors, shot.scene.layers[layer], settings))
   {
@@ -156,6 +157,7 @@ View ViewOf(const ColorOptions& colors, const ContourOptions* contours, const Sh
   {
     appearance.outlines = ToRgba(shot.outlines->data());
   }
+  appearance.undecided = colors.Undecided();
   if (appearance.HasContours())
   {
     appearance.contours = contours->MakeAppearance(colors.BackgroundColor());

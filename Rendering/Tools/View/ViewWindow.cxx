@@ -93,10 +93,9 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
                      "--stride");
   }
   Options.Check(NameOfFile(Options, 0));
-  if (Options.debug.NeedsPureColors())
+  if (Options.debug.IsInPlace())
   {
-    Note("--owners, --show and --show-undecided are drawn in saved figures (key s), not in the "
-         "window");
+    Note("--owners and --show are drawn in saved figures (key s), not in the window");
   }
   TheShot.emplace(Prepare(Options.shot, Watch));
   Dragged = MakeDragged(*TheShot->scene.layers.front().surface, Options.shot.surfaces.First());

@@ -20,15 +20,20 @@ bool LayerAppearance::operator==(const LayerAppearance& other) const
 {
   const bool sameTable = (table == nullptr) == (other.table == nullptr) &&
     (table == nullptr || table->IsSame(*other.table));
-  return sameTable && range == other.range && rangeGroup == other.rangeGroup &&
-    solid == other.solid && unknown == other.unknown && opacity == other.opacity &&
-    material == other.material && contours == other.contours;
+  return sameTable && bands == other.bands && range == other.range &&
+    rangeGroup == other.rangeGroup && solid == other.solid && unknown == other.unknown &&
+    opacity == other.opacity && material == other.material && contours == other.contours;
 }
 
 bool Appearance::HasContours() const
 {
   return std::ranges::any_of(
     layers, [](const LayerAppearance& layer) { return layer.contours.Any(); });
+}
+
+bool Appearance::IsByValue() const
+{
+  return std::ranges::any_of(layers, [](const LayerAppearance& layer) { return !layer.solid; });
 }
 
 bool Appearance::IsLit() const

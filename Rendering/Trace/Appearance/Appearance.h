@@ -63,6 +63,8 @@ struct LayerAppearance
 {
   /// Null: there is no field, or nothing asks for the colour of a value.
   std::shared_ptr<const ColorTable> table;
+  /// Number of steps of one colour over the table's range (InBands); 0: the table's own colours.
+  int bands = 0;
   RangeRule range;
   /// Layers with the same number have one range together, where it is of the values of a frame.
   std::size_t rangeGroup = 0;
@@ -100,12 +102,19 @@ struct Appearance
   std::optional<EdgeStyle> edges;   ///< of elements; none: none
   const FaceTable* faces = nullptr; ///< where edges are told apart by what lies behind the face
   std::optional<Rgba> outlines;     ///< of elements and layers; none: none
-  ContourAppearance contours;       ///< where layers have some
+  /// The colour of pixels whose colour, or whose contours, are not proven: values have enclosures
+  /// then, which single precision does not have. None: such pixels are drawn like the others.
+  std::optional<Rgba> undecided;
+  ContourAppearance contours; ///< where layers have some
   /// The sheets of translucent layers are drawn one by one, by a window: contours are on the
   /// nearest one, and labels are left out.
   bool bySheets = false;
 
   [[nodiscard]] bool HasContours() const;
+  /// Whether contours are drawn on surfaces of one colour, which `contours.only` is.
+  [[nodiscard]] bool HasContoursOnly() const { return contours.only && HasContours(); }
+  /// Whether some surface has the colours of values.
+  [[nodiscard]] bool IsByValue() const;
   [[nodiscard]] bool IsLit() const;
   /// Whether ranges or iso-values follow from the values of a frame.
   [[nodiscard]] bool NeedsFrame() const;

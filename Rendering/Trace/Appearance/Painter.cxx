@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Appearance/Painter.h"
 
+#include "Core/Base/Error.h"
 #include "Core/Faces/FaceTable.h"
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/View.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace pixelexact
@@ -25,6 +27,19 @@ bool HasLabels(const View& view)
     !(appearance.bySheets && HasTranslucent(view.scene));
 }
 
+/// Whether pixels whose colour is not proven have a colour of their own.
+bool MarksUndecided(const Appearance& appearance)
+{
+  return appearance.undecided && appearance.IsByValue() && !appearance.HasContoursOnly();
+}
+
+std::vector<ColorMap> MapsOf(const ResolvedAppearance& resolved)
+{
+  std::vector<ColorMap> maps;
+  std::ranges::transform(resolved.layers, std::back_inserter(maps), &ResolvedLayer::map);
+  return maps;
+}
+
 std::vector<std::optional<Material>> MaterialsOf(const Appearance& appearance)
 {
   std::vector<std::optional<Material>> materials;
@@ -40,11 +55,11 @@ Painter::Painter(
   const View& view, const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
 {
   const Appearance& appearance = view.appearance;
+  const bool inOne = appearance.HasContoursOnly();
   std::vector<LayerColors> colors;
   for (std::size_t k = 0; k < appearance.layers.size(); ++k)
   {
     const LayerAppearance& layer = appearance.layers[k];
-    const bool inOne = appearance.contours.only && appearance.HasContours();
     colors.push_back({ inOne ? SolidColor(*appearance.contours.only) : resolved.layers[k].map,
       layer.unknown, inOne ? 1.0 : layer.opacity, !inOne && !layer.solid });
   }
@@ -52,6 +67,14 @@ Painter::Painter(
   if (appearance.IsLit() && !appearance.contours.only)
   {
     Lights = std::make_unique<Lighting>(MaterialsOf(appearance), appearance.lights, appearance.lit);
+  }
+  if (MarksUndecided(appearance))
+  {
+    if (appearance.samples > 1)
+    {
+      throw Error("samples mix the colour of undecided pixels with others; leave out one of them");
+    }
+    Unproven = std::make_unique<UndecidedColors>(MapsOf(resolved), *appearance.undecided);
   }
   if (appearance.samples > 1)
   {
@@ -80,6 +103,7 @@ void Painter::MakeContours(
   std::vector<std::vector<Rgba>> colors;
   ContourStyle style = appearance.contours.style;
   style.curved = false;
+  style.showUndecided = style.showUndecided || appearance.undecided;
   for (std::size_t k = 0; k < appearance.layers.size(); ++k)
   {
     values.push_back(resolved.layers[k].contours);
@@ -101,6 +125,10 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   if (Lights)
   {
     pipeline.colors.push_back(Lights.get());
+  }
+  if (Unproven)
+  {
+    pipeline.colors.push_back(Unproven.get());
   }
   if (Smooth)
   {
@@ -130,8 +158,6 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
 Buffer NeedsOf(const View& view, bool afterwards)
 {
   const Appearance& appearance = view.appearance;
-  const bool byValue = std::ranges::any_of(
-    appearance.layers, [](const LayerAppearance& layer) { return !layer.solid; });
   // Normals tell labels where a surface hides a part of itself.
   const Buffer ofLabels =
     HasLabels(view) ? Buffer::Value | Buffer::Position | Buffer::Normal : Buffer::None;
@@ -139,7 +165,8 @@ Buffer NeedsOf(const View& view, bool afterwards)
     ? ContourCertifier({}, appearance.contours.method).Needs().welcome | Buffer::Layer
     : Buffer::None;
   return Buffer::Verdict | NeedsOfRules(view) | ofContours | ofLabels |
-    (byValue ? Buffer::Value : Buffer::None) |
+    (appearance.IsByValue() ? Buffer::Value : Buffer::None) |
+    (MarksUndecided(appearance) ? Buffer::Enclosure : Buffer::None) |
     (view.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
     (appearance.IsLit() ? Buffer::Position | Buffer::Normal : Buffer::None) |
     (appearance.edges ? ElementEdges(*appearance.edges).Needs().centres : Buffer::None) |

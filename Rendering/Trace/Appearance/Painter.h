@@ -5,6 +5,7 @@
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/Modules/ContourLines.h"
+#include "Trace/Modules/DebugColors.h"
 #include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/ElementOutlines.h"
 #include "Trace/Modules/Lighting.h"
@@ -27,14 +28,14 @@ struct Drawn
   bool contours = true; ///< pixels are classified in any case
 };
 
-/// Creates pipelines from the appearance of a view: colours, lights, anti-aliasing, lines between
-/// elements, contours, in this order.
+/// Creates pipelines from the appearance of a view: colours, lights, undecided pixels,
+/// anti-aliasing, lines between elements, contours, in this order.
 class Painter
 {
 public:
   /// `resolved`: of the view. `bounds`: bounds of the fields that contours
   /// keep between frames; null: they are computed for each frame. Throws Error for values and
-  /// widths that cannot be drawn.
+  /// widths that cannot be drawn, and where samples would mix the colour of undecided pixels.
   Painter(const View& view, const ResolvedAppearance& resolved,
     std::shared_ptr<ContourBounds> bounds = nullptr);
   Painter(const Painter&) = delete;
@@ -51,6 +52,8 @@ public:
   [[nodiscard]] const ContourLines* Lines() const { return TheLines ? &*TheLines : nullptr; }
   /// The height of labels that are to be written on the frame; none: no labels.
   [[nodiscard]] const std::optional<int>& Labels() const { return TheLabels; }
+  /// The module that paints pixels whose colour is not proven; null where there is none.
+  [[nodiscard]] const UndecidedColors* Undecided() const { return Unproven.get(); }
   /// Pixels of the last frame that were smoothed.
   [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
@@ -61,6 +64,7 @@ private:
   std::optional<ColorMapping> Colors;
   // Not optional, of which g++ 14 believes that it is reset before it holds anything.
   std::unique_ptr<Lighting> Lights;
+  std::unique_ptr<UndecidedColors> Unproven;
   std::optional<Antialiasing> Smooth;
   std::optional<ElementEdges> Edges;
   std::optional<ElementOutlines> Outlines;

@@ -162,17 +162,33 @@ struct Resolver
     return rule.symmetric ? Symmetric(shown) : shown;
   }
 
+  /// The range of the layer's colours in its table, of those that the appearance asks for: a table
+  /// that cannot have the range keeps its own.
+  [[nodiscard]] std::array<double, 2> TableRange(
+    std::size_t layer, const std::array<double, 2>& range) const
+  {
+    const ColorTable& table = *appearance.layers[layer].table;
+    const bool refused = table.IsLogarithmic() && !(range[0] > 0.0);
+    return refused ? table.RangeOfNothing() : range;
+  }
+
+  [[nodiscard]] ColorMap MapOver(std::size_t layer, const std::array<double, 2>& range) const
+  {
+    const LayerAppearance& asked = appearance.layers[layer];
+    ColorMap map = asked.table->Over(range);
+    return asked.bands == 0 ? map
+                            : InBands(std::move(map), TableRange(layer, range), asked.bands,
+                                asked.table->IsLogarithmic());
+  }
+
   /// Of a layer with so many round contours.
   [[nodiscard]] std::vector<double> RoundContours(
     std::size_t layer, const std::array<double, 2>& range) const
   {
     const LayerAppearance& asked = appearance.layers[layer];
     const Field& field = *scene.layers[layer].field;
-    const bool logarithmic = asked.table->IsLogarithmic();
-    // A table that cannot have the range keeps its own.
-    const bool refused = logarithmic && !(range[0] > 0.0);
-    std::vector<double> values = RoundValues(
-      asked.contours.count, refused ? asked.table->RangeOfNothing() : range, logarithmic);
+    std::vector<double> values =
+      RoundValues(asked.contours.count, TableRange(layer, range), asked.table->IsLogarithmic());
     const ValueRange seen = ValuesSeen(*frame, layer);
     if (seen && IsOneValue(field, *seen))
     {
@@ -195,7 +211,7 @@ struct Resolver
     if (asked.ReadsTable())
     {
       resolved.range = RangeOf(layer);
-      byValue = asked.table->Over(*resolved.range);
+      byValue = MapOver(layer, *resolved.range);
     }
     resolved.map = asked.solid ? SolidColor(*asked.solid) : byValue;
     if (contours.count > 0 && frame != nullptr)

@@ -36,6 +36,31 @@ ColorMap SolidColor(const Rgba& color)
   };
 }
 
+ColorMap InBands(ColorMap map, const std::array<double, 2>& range, int bands, bool logarithmic)
+{
+  const auto scaled = [logarithmic](double value)
+  { return logarithmic ? std::log10(value) : value; };
+  const double lower = scaled(range[0]);
+  const double length = scaled(range[1]) - lower;
+  return [map = std::move(map), scaled, logarithmic, lower, length, bands](
+           std::span<const double> values, std::uint8_t* rgba)
+  {
+    std::vector<double> middles(values.begin(), values.end());
+    for (double& value : middles)
+    {
+      const double place = scaled(value);
+      if (std::isfinite(place) && length > 0.0)
+      {
+        const double band =
+          std::clamp(std::floor((place - lower) / length * bands), 0.0, bands - 1.0);
+        const double middle = lower + (band + 0.5) / bands * length;
+        value = logarithmic ? std::pow(10.0, middle) : middle;
+      }
+    }
+    map(middles, rgba);
+  };
+}
+
 ColorMapping::ColorMapping(ColorMap map, const Rgba& unknown)
   : ColorMapping(std::vector<LayerColors>{ { std::move(map), unknown } })
 {

@@ -18,6 +18,13 @@ using ColorMap = std::function<void(std::span<const double> values, std::uint8_t
 /// One colour for every value.
 [[nodiscard]] ColorMap SolidColor(const Rgba& color);
 
+/// Divides the range into `bands` (at least 1) parts of equal width, with `logarithmic` of equal
+/// ratio, and gives all values of a part the colour of its middle. Values outside of the range get
+/// the colours of the first and the last part; values that are not finite, or have no logarithm,
+/// those of `map`.
+[[nodiscard]] ColorMap InBands(
+  ColorMap map, const std::array<double, 2>& range, int bands, bool logarithmic);
+
 /// The colours of values, for any range of them.
 class ColorTable
 {
