@@ -38,9 +38,9 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   Colors.emplace(options.shot.colors, &options.contours, shot, Pixels);
   Painter& painter = Colors->GetPainter();
   std::optional<std::vector<std::vector<CanvasPoint>>> edges;
-  if (paths && shot.edges)
+  if (paths && shot.appearance.edges)
   {
-    edges = shot.edgesByKind ? std::nullopt : PathsOfEdges(shot, Pixels);
+    edges = shot.appearance.faces != nullptr ? std::nullopt : PathsOfEdges(shot, Pixels);
     TellWhatStays("element edges", edges.has_value());
   }
   const bool hasContours = painter.Contours() != nullptr;
@@ -61,7 +61,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   Told.Count(Pixels, painter.Undecided());
   if (edges)
   {
-    AddLines(*edges, shot.edges->width, shot.edges->colors.front());
+    AddLines(*edges, shot.appearance.edges->width, shot.appearance.edges->colors.front());
   }
   if (contours)
   {

@@ -162,7 +162,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
   {
     summary["contours"] = ToJson(*found.contours);
   }
-  if (shot.samples > 1)
+  if (shot.appearance.samples > 1)
   {
     summary["refined_pixels"] = appearance.GetPainter().Refined();
   }
@@ -225,7 +225,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
   {
     AddContours(table, *found.contours);
   }
-  if (shot.samples > 1)
+  if (shot.appearance.samples > 1)
   {
     table.Row("smoothed", Counted(appearance.GetPainter().Refined(), "pixel"));
   }

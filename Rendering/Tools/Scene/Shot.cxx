@@ -210,25 +210,31 @@ std::vector<KeptHalfSpace> HalfSpacesOf(const std::vector<std::vector<double>>& 
   return kept;
 }
 
+/// Samples, edges and outlines, but not the faces of edges by kind.
+Appearance SharedAppearance(const ShotOptions& options)
+{
+  Appearance appearance;
+  appearance.samples = options.samples;
+  if (options.edgeWidth)
+  {
+    appearance.edges = options.edgesByKind
+      ? EdgeStyle::ByKind(*options.edgeWidth)
+      : EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
+  }
+  if (options.outlines)
+  {
+    appearance.outlines = ToRgba(options.outlineColor.data());
+  }
+  return appearance;
+}
+
 /// All but the view.
 Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredGrid* before)
 {
   Shot shot;
   shot.size = options.size;
   shot.lights = options.lights;
-  shot.samples = options.samples;
-  if (options.edgeWidth)
-  {
-    shot.edges = options.edgesByKind
-      ? EdgeStyle::ByKind(*options.edgeWidth)
-      : EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
-    shot.edgesByKind = options.edgesByKind;
-  }
-  if (options.outlines)
-  {
-    shot.outlines.emplace();
-    std::ranges::copy(options.outlineColor, shot.outlines->begin());
-  }
+  shot.appearance = SharedAppearance(options);
   shot.settings = options.MakeLayers();
   const std::vector<GivenSurface> given = options.surfaces.Make();
   const std::string field = FieldToLoad(options, shot.settings);
@@ -266,6 +272,7 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
   }
   shot.scene.locator = &model.GetLocator();
   shot.scene.kept = HalfSpacesOf(options.clip);
+  shot.appearance.faces = options.edgeWidth && options.edgesByKind ? &model.Faces() : nullptr;
   stopwatch.Stage("bounds+bvh");
   return shot;
 }

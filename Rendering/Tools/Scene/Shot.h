@@ -10,8 +10,8 @@
 #include "Scene/Model.h"
 #include "Scene/SurfaceOptions.h"
 
+#include "Trace/Appearance/Appearance.h"
 #include "Trace/Camera.h"
-#include "Trace/Modules/ElementEdges.h"
 #include "Trace/Scene.h"
 
 #include <array>
@@ -79,10 +79,8 @@ struct Shot
   CameraView view;
   ImageSize size;
   Lit lights = Lit::Curved;
-  int samples = 1;                               ///< in pixels that are not of one colour
-  std::optional<EdgeStyle> edges;                ///< none: none
-  bool edgesByKind = false;                      ///< what lies behind faces is told apart
-  std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
+  /// Samples, edges and outlines; ViewOf adds what depends on layers and camera.
+  Appearance appearance;
   /// By layer, of the values that all pictures of an animation show (RangeRule::Of::All).
   std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
   std::vector<TruncatedField> truncated; ///< what is shown without its top modes

@@ -7,7 +7,6 @@
 #include "Scene/Shot.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Faces/FaceTable.h"
 #include "HighOrderModel.h"
 #include "Views/VtkLook.h"
 
@@ -138,7 +137,8 @@ LayerAppearance AppearanceOfLayer(
 
 View ViewOf(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
 {
-  View view{ shot.input.model, shot.scene, { shot.view, shot.size.width, shot.size.height }, {} };
+  View view{ shot.input.model, shot.scene, { shot.view, shot.size.width, shot.size.height },
+    shot.appearance };
   Appearance& appearance = view.appearance;
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
@@ -150,13 +150,6 @@ View ViewOf(const ColorOptions& colors, const ContourOptions* contours, const Sh
   appearance.lit.eye = shot.view.position;
   appearance.lit.direction = shot.MakeCamera().ViewDirection();
   appearance.lit.parallel = shot.view.parallel;
-  appearance.samples = shot.samples;
-  appearance.edges = shot.edges;
-  appearance.faces = shot.edges && shot.edgesByKind ? &shot.input.model->Faces() : nullptr;
-  if (shot.outlines)
-  {
-    appearance.outlines = ToRgba(shot.outlines->data());
-  }
   appearance.undecided = colors.Undecided();
   if (appearance.HasContours())
   {

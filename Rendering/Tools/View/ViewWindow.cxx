@@ -100,7 +100,7 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   TheShot.emplace(Prepare(Options.shot, Watch));
   Dragged = MakeDragged(*TheShot->scene.layers.front().surface, Options.shot.surfaces.First());
   Contours = Options.contours.AreGiven();
-  Edges = TheShot->edges.has_value();
+  Edges = TheShot->appearance.edges.has_value();
 
   const Rgba background = Options.shot.colors.BackgroundColor();
   Renderer->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
