@@ -175,6 +175,9 @@ def _known():
         {**plane, "bands": 6, "range": [0.01, 0.5], "log": True},
         {**iso, "layers": two, "bands": 3, "range": "field"},
         {**plane, "show_undecided": True},
+        # Values of an iso-surface are equal up to rounding, so that nothing decides their colours.
+        {**iso, "layers": [{"surface": ["isosurface", "u", 0.3]}], "show_undecided": True,
+         "range": [0.2999999999999, 0.3000000000001]},
         {**plane, "show_undecided": True, "bands": 4, "undecided_color": [0, 1, 0]},
         {**iso, "layers": ball, "show_undecided": True, "contours": 12, "contour_width": 3},
         {**iso, "layers": two, "show_undecided": True, "contours": 5},
