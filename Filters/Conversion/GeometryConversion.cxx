@@ -6,6 +6,8 @@
 #include "Core/Basis/Space.h"
 #include "Core/Element/ElementUnits.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "CallbackWatch.h"
 #include "Core/Base/Error.h"
+#include "Core/Math/Mat.h"
 #include "FunctionValues.h"
 #include "vtkImplicitTorus.h"
 

@@ -2,6 +2,7 @@
 #include "Views/VtkCamera.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Math/Mat.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

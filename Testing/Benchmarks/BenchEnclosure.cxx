@@ -4,6 +4,7 @@
 #include "../Core/EnclosureCases.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace pixelexact::testing

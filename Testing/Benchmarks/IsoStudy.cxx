@@ -12,6 +12,7 @@
 #include "Trace/Surfaces/Curved/PartTree.h"
 #include "Trace/Tracer.h"
 
+#include <glm/geometric.hpp>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -6,6 +6,7 @@
 #include "Core/Element/Transform.h"
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Sample.h"
+#include "Core/Math/Mat.h"
 #include "Core/Shape/ShapeFace.h"
 
 #include <glm/geometric.hpp>

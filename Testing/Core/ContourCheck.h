@@ -7,6 +7,8 @@
 #include "Core/Location/Locator.h"
 #include "Core/Location/Sample.h"
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 #include <numbers>
 #include <numeric>

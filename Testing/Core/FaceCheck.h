@@ -5,6 +5,7 @@
 
 #include "Core/Basis/ModeBound.h"
 #include "Core/Location/Sample.h"
+#include "Core/Math/Mat.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/matrix.hpp>

@@ -3,6 +3,8 @@
 
 #include "Core/Index/EmbreeBvh.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>

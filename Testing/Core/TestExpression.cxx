@@ -6,6 +6,7 @@
 #include "Core/Expression/Program.h"
 #include "Core/Expression/SymmetricEigen.h"
 #include "Core/Location/Sample.h"
+#include "Core/Math/Mat.h"
 
 #include <gtest/gtest.h>
 

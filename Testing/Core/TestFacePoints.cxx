@@ -7,6 +7,7 @@
 #include "FaceCheck.h"
 
 #include "Core/Location/Owners.h"
+#include "Core/Math/Mat.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 
 #include "Core/Location/Owners.h"
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 namespace pixelexact::testing

@@ -5,6 +5,7 @@
 #include "Support.h"
 
 #include "Core/Element/Transform.h"
+#include "Core/Math/Mat.h"
 #include "HighOrderModel.h"
 
 #include "vtkCellData.h"

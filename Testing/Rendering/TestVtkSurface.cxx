@@ -21,6 +21,8 @@
 #include "vtkThinPlateSplineTransform.h"
 #include "vtkTransform.h"
 
+#include <glm/geometric.hpp>
+
 #include <limits>
 
 namespace pixelexact::testing

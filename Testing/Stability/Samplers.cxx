@@ -3,6 +3,8 @@
 
 #include "Core/Shape/Shape.h"
 
+#include <glm/common.hpp>
+
 namespace pixelexact::testing
 {
 Vec3 AnywhereInside(Shape shape, Random& random)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Math/Mat.h"
 #include "LongVectors.h"
 
 #include "Trace/Modules/Lighting.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lit colours against the model that VTK's documentation gives.
+#include "Core/Math/Mat.h"
 #include "LightModel.h"
 #include "MeshBuilder.h"
 

@@ -3,6 +3,7 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Core/Bernstein/BatchKernels.h"
+#include "Core/Math/Mat.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/common.hpp>

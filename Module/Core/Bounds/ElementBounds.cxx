@@ -5,6 +5,7 @@
 #include "Core/Bernstein/BernsteinForm.h"
 #include "Core/Bounds/Injectivity.h"
 #include "Core/Bounds/MapBend.h"
+#include "Core/Math/Mat.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/gtc/type_ptr.hpp>

@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <glm/common.hpp>
+
 #include <array>
 
 namespace pixelexact

@@ -3,6 +3,7 @@
 
 #include "Core/Bounds/TensorLattice.h"
 #include "Core/Element/LaneBuffer.h"
+#include "Core/Math/Mat.h"
 #include "Core/Math/Norm.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Contour/QuadricPolynomial.h"
 #include "Core/Contour/SampledPolynomial.h"
 #include "Core/Element/Ranges.h"

@@ -3,6 +3,7 @@
 
 #include "Core/Contour/ContourQuestion.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Math/Mat.h"
 
 #include <optional>
 #include <vector>

@@ -3,6 +3,7 @@
 
 #include "Core/Contour/SeedList.h"
 #include "Core/Faces/FacePlane.h"
+#include "Core/Math/Mat.h"
 
 #include <glm/geometric.hpp>
 

@@ -4,6 +4,7 @@
 #include "Core/Element/Dual.h"
 #include "Core/Element/MappingKernels.h"
 #include "Core/Element/Transform.h"
+#include "Core/Math/Mat.h"
 
 #include <glm/matrix.hpp>
 

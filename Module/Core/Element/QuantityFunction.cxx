@@ -2,6 +2,7 @@
 #include "Core/Element/QuantityFunction.h"
 
 #include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Math/Mat.h"
 
 #include <glm/matrix.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Math/Vec.h"
+#include "Core/Math/Mat.h"
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 #include "Core/Expression/PointLeaves.h"
 
 #include "Core/Element/FieldMapping.h"
+#include "Core/Math/Mat.h"
 
 #include <glm/matrix.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Math/Vec.h"
+#include "Core/Math/Mat.h"
 
 #include <array>
 

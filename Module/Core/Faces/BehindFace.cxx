@@ -6,6 +6,7 @@
 #include "Core/Element/LaneBuffer.h"
 #include "Core/Faces/FacePlane.h"
 #include "Core/Faces/FaceProjection.h"
+#include "Core/Math/Mat.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -3,6 +3,7 @@
 
 #include "Core/Basis/LineFunctions.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Math/Mat.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -4,6 +4,7 @@
 #include "Core/Base/StageClock.h"
 #include "Core/Math/Interval.h"
 
+#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -5,6 +5,8 @@
 #include "Core/Index/EmbreeApi.h"
 #include "Core/Math/Rounding.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>

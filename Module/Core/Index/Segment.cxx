@@ -4,6 +4,8 @@
 #include "Core/Math/Interval.h"
 #include "Core/Math/Rounding.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 
 namespace pixelexact

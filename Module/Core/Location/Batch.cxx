@@ -4,6 +4,8 @@
 #include "Core/Location/FoundPointKernels.h"
 #include "Core/Math/Rounding.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <limits>

@@ -3,6 +3,8 @@
 
 #include "Core/Math/Norm.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace pixelexact
 {
 using Vec3 = glm::dvec3;
-/// Column-major, as GLM: m[j] is column j. A Jacobian holds dPhi/dxi_j in column j.
-using Mat3 = glm::dmat3;
 
 /// An axis-aligned box; empty when lower > upper.
 struct Box3

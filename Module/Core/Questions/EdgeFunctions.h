@@ -4,6 +4,7 @@
 #include "Core/Base/MadeOnDemand.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Index/ElementIndex.h"
+#include "Core/Math/Mat.h"
 #include "Core/Questions/EdgePolynomials.h"
 #include "Core/Questions/Outline.h"
 #include "Core/Questions/PointValues.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Math/Mat.h"
 #include "Core/Questions/EdgeNode.h"
 #include "Core/Questions/Outline.h"
 #include "Core/Questions/ValueSet.h"

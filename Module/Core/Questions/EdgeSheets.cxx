@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Math/Mat.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeBounds.h"
 #include "Core/Questions/EdgeMeeting.h"

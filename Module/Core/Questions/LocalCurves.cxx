@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/LocalCurves.h"
 
+#include "Core/Math/Mat.h"
 #include "Core/Questions/EdgeArithmetic.h"
 
 #include <glm/matrix.hpp>

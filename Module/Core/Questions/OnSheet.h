@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Math/Mat.h"
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/EdgeTree.h"
 #include "Core/Questions/Sheet.h"

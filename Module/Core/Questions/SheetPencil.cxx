@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Math/Mat.h"
 #include "Core/Questions/OnSheet.h"
 #include "Core/Shape/ShapeFace.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tree/DeviationSteps.h"
 
+#include "Core/Bernstein/Krawczyk.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Tree/Regularity.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tree/EtaBox.h"
 
+#include <glm/common.hpp>
+
 #include <cmath>
 
 namespace pixelexact

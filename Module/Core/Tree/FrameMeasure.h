@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Bernstein/Krawczyk.h"
 #include "Core/Tree/DeviationSteps.h"
 #include "Core/Tree/FrameKernels.h"
 #include "Core/Tree/NodeFrame.h"

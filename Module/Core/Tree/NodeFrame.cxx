@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tree/NodeFrame.h"
 
+#include "Core/Bernstein/BernsteinForm.h"
+#include "Core/Bernstein/Krawczyk.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Tree/FrameMeasure.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Bernstein/Krawczyk.h"
 #include "Core/Bounds/ElementBounds.h"
 #include "Core/Math/Interval.h"
 #include "Core/Tree/BoxCoefficients.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tree/Regularity.h"
 
+#include "Core/Bernstein/BernsteinForm.h"
+#include "Core/Bernstein/Krawczyk.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Math/Mat.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/common.hpp>

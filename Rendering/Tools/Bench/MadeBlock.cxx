@@ -5,6 +5,7 @@
 
 #include "Core/Element/ElementUnits.h"
 
+#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Faces/FacePlane.h"
+#include "Core/Math/Mat.h"
 #include "Trace/Modules/FaceKernels.h"
 #include "Trace/Modules/FaceSearch.h"
 #include "Trace/TileVisit.h"

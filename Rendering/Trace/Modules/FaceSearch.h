@@ -3,7 +3,7 @@
 
 #include "Core/Element/LaneBuffer.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Math/Vec.h"
+#include "Core/Math/Mat.h"
 #include "Trace/TraceTile.h"
 
 #include <glm/vec2.hpp>

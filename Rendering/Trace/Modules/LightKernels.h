@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Element/Kernels.h"
+#include "Core/Math/Mat.h"
 #include "Trace/Modules/Lighting.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "Trace/Pipeline.h"
 
-#include "Core/Math/Vec.h"
+#include "Core/Math/Mat.h"
 
 #include <optional>
 #include <vector>

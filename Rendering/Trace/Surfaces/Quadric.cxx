@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/Quadric.h"
 
+#include "Core/Math/Mat.h"
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/PairArithmetic.h"
 

@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Curved/BundleHits.h"
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
+#include "Core/Math/Mat.h"
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
 
 #include <vector>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Bernstein/BoxPolynomial.h"
+#include "Core/Math/Mat.h"
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
 
 #include <array>
