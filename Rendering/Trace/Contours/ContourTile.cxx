@@ -333,11 +333,12 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
     return;
   }
   judge.Reserve(kLeftByBlocks);
-  std::vector<EdgeState> states = blocks.Settle(judge, Asked);
+  std::vector<ContourVerdict> states = blocks.Settle(judge, Asked);
   std::vector<std::uint8_t> open(states.size());
   std::ranges::transform(states, open.begin(),
-    [](EdgeState state) { return static_cast<std::uint8_t>(state == EdgeState::Undecided); });
-  std::ranges::replace(states, EdgeState::Undecided, EdgeState::Out);
+    [](ContourVerdict state)
+    { return static_cast<std::uint8_t>(state == ContourVerdict::Undecided); });
+  std::ranges::replace(states, ContourVerdict::Undecided, ContourVerdict::Out);
   Add(states);
   JudgeEdges(sight, judge, open, work);
 }
@@ -369,18 +370,18 @@ void ContourTile::JudgeEdges(
       (shown[at] | shown[at + along] | shown[at + beside] | shown[at - beside] |
         shown[at + along + beside] | shown[at + along - beside]) != 0;
   };
-  std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
+  std::vector<ContourVerdict> edges(CountEdges(), ContourVerdict::Out);
   EdgeSettler settler(sight, judge, Method, edges, Counted);
   ForEachEdge(
     open,
     [&](std::size_t edge, std::size_t a, std::size_t b)
     { settler.Add(edge, corners[a], corners[b], peeks(a, b)); },
     [&] { settler.EndRow(); });
-  std::vector<EdgeState> unhalved = edges;
+  std::vector<ContourVerdict> unhalved = edges;
   settler.MarkOpen(unhalved);
   judge.Reserve(0.0);
   settler.Refine();
-  std::vector<EdgeState> states = StatesOf(edges, open);
+  std::vector<ContourVerdict> states = StatesOf(edges, open);
   CountStages(StatesOf(unhalved, open), states, open);
   MarkPlateaus(sight, judge, corners, states);
   if (Method.interior)
@@ -390,26 +391,26 @@ void ContourTile::JudgeEdges(
   Add(states);
 }
 
-void ContourTile::CountStages(std::span<const EdgeState> unhalved,
-  std::span<const EdgeState> states, std::span<const std::uint8_t> open)
+void ContourTile::CountStages(std::span<const ContourVerdict> unhalved,
+  std::span<const ContourVerdict> states, std::span<const std::uint8_t> open)
 {
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
   {
-    if (open[pixel] == 0 || states[pixel] == EdgeState::Undecided)
+    if (open[pixel] == 0 || states[pixel] == ContourVerdict::Undecided)
     {
       continue;
     }
-    ++(unhalved[pixel] == EdgeState::Undecided ? Counted.byParts : Counted.byEdges);
+    ++(unhalved[pixel] == ContourVerdict::Undecided ? Counted.byParts : Counted.byEdges);
   }
 }
 
 void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge,
-  const TileCorners& corners, std::span<const EdgeState> states)
+  const TileCorners& corners, std::span<const ContourVerdict> states)
 {
   const std::size_t columns = Across - 1;
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
   {
-    if (states[pixel] != EdgeState::In)
+    if (states[pixel] != ContourVerdict::In)
     {
       continue;
     }
@@ -421,9 +422,9 @@ void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge,
 }
 
 void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
-  const TileCorners& corners, std::span<const std::uint8_t> open, std::span<EdgeState> states)
+  const TileCorners& corners, std::span<const std::uint8_t> open, std::span<ContourVerdict> states)
 {
-  const std::vector<EdgeState> before(states.begin(), states.end());
+  const std::vector<ContourVerdict> before(states.begin(), states.end());
   PixelInteriors interiors(sight, judge, Method, states, Counted);
   const std::size_t columns = Across - 1;
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
@@ -439,7 +440,7 @@ void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
   interiors.Refine();
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
   {
-    const bool isLoop = before[pixel] == EdgeState::Out && states[pixel] == EdgeState::In;
+    const bool isLoop = before[pixel] == ContourVerdict::Out && states[pixel] == ContourVerdict::In;
     Counted.loops += isLoop && Pixels[pixel] != ContourVerdict::In ? 1 : 0;
   }
 }
@@ -452,43 +453,36 @@ void ContourTile::LeaveOpen(int layer)
     return samples.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
       samples.layer[corner] == layer;
   };
-  std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
+  std::vector<ContourVerdict> edges(CountEdges(), ContourVerdict::Out);
   ForEachEdge(
     Asked,
     [&](std::size_t edge, std::size_t a, std::size_t b)
-    { edges[edge] = shows(a) || shows(b) ? EdgeState::Undecided : EdgeState::Out; },
+    { edges[edge] = shows(a) || shows(b) ? ContourVerdict::Undecided : ContourVerdict::Out; },
     [] {});
   Add(StatesOf(edges, Asked));
 }
 
-std::vector<EdgeState> ContourTile::StatesOf(
-  std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const
+std::vector<ContourVerdict> ContourTile::StatesOf(
+  std::span<const ContourVerdict> edges, std::span<const std::uint8_t> open) const
 {
   const std::size_t columns = Across - 1;
   const std::size_t rows = Up - 1;
   const std::size_t ups = columns * Up;
-  std::vector<EdgeState> states(Pixels.size(), EdgeState::Out);
+  std::vector<ContourVerdict> states(Pixels.size(), ContourVerdict::Out);
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
   {
     if (open[pixel] != 0)
     {
       const std::size_t up = ups + pixel % columns * rows + pixel / columns;
-      states[pixel] =
-        std::max({ edges[pixel], edges[pixel + columns], edges[up], edges[up + rows] });
+      states[pixel] = JoinVerdicts(JoinVerdicts(edges[pixel], edges[pixel + columns]),
+        JoinVerdicts(edges[up], edges[up + rows]));
     }
   }
   return states;
 }
 
-void ContourTile::Add(std::span<const EdgeState> states)
+void ContourTile::Add(std::span<const ContourVerdict> states)
 {
-  // Without branches, so that many pixels are added at once.
-  std::ranges::transform(Pixels, states, Pixels.begin(),
-    [](ContourVerdict verdict, EdgeState state)
-    {
-      const auto added = state == EdgeState::Out ? verdict : ContourVerdict::Undecided;
-      const bool isIn = verdict == ContourVerdict::In || state == EdgeState::In;
-      return isIn ? ContourVerdict::In : added;
-    });
+  std::ranges::transform(Pixels, states, Pixels.begin(), JoinVerdicts);
 }
 } // namespace pixelexact

@@ -82,17 +82,17 @@ private:
   void JudgeEdges(
     LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open, EdgeWork& work);
   /// Of pixels by those of their edges: across, row by row, then up, column by column.
-  [[nodiscard]] std::vector<EdgeState> StatesOf(
-    std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const;
+  [[nodiscard]] std::vector<ContourVerdict> StatesOf(
+    std::span<const ContourVerdict> edges, std::span<const std::uint8_t> open) const;
   /// By what those that were open are settled.
-  void CountStages(std::span<const EdgeState> unhalved, std::span<const EdgeState> states,
+  void CountStages(std::span<const ContourVerdict> unhalved, std::span<const ContourVerdict> states,
     std::span<const std::uint8_t> open);
   /// Looks inside of those that are out.
   void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
-    std::span<const std::uint8_t> open, std::span<EdgeState> states);
+    std::span<const std::uint8_t> open, std::span<ContourVerdict> states);
   void MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
-    std::span<const EdgeState> states);
-  void Add(std::span<const EdgeState> states);
+    std::span<const ContourVerdict> states);
+  void Add(std::span<const ContourVerdict> states);
   [[nodiscard]] std::size_t CountEdges() const { return (Across - 1) * Up + Across * (Up - 1); }
 
   TileVisit& Tile;

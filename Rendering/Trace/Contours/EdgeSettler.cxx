@@ -21,7 +21,7 @@ constexpr double kBulge = 1.0;
 } // namespace
 
 EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
-  std::span<EdgeState> states, ContourCounters& counted)
+  std::span<ContourVerdict> states, ContourCounters& counted)
   : Sight(sight)
   , Judge(judge)
   , Method(method)
@@ -36,7 +36,7 @@ EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const Contou
 
 void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks)
 {
-  if (States[edge] != EdgeState::In)
+  if (States[edge] != ContourVerdict::In)
   {
     const Part part{ edge, a, b, peeks };
     const EdgeFinding finding = JudgeWithin(part);
@@ -103,7 +103,7 @@ EdgeFinding EdgeSettler::JudgeBeyond(const Part& part) const
 bool EdgeSettler::ShowsNoValue(const Part& part) const
 {
   // Of an edge that is undecided already it would not help.
-  return !IsPlane && States[part.edge] == EdgeState::Out &&
+  return !IsPlane && States[part.edge] == ContourVerdict::Out &&
     Judge.StaysBetween(Sight.GetSurface(), Sight.BeamBetween(part.a, part.b));
 }
 
@@ -144,7 +144,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   }
   if (finding == EdgeFinding::In)
   {
-    States[part.edge] = EdgeState::In;
+    States[part.edge] = ContourVerdict::In;
     return;
   }
   const bool onBoth = Sight.Shows(part.a) && Sight.Shows(part.b);
@@ -152,7 +152,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     (finding == EdgeFinding::Uncovered && onBoth && Judge.MayTouch(part.a) &&
       Judge.MayTouch(part.b)))
   {
-    States[part.edge] = EdgeState::Undecided;
+    States[part.edge] = ContourVerdict::Undecided;
     return;
   }
   if (!IsPlane && !Sight.Shows(part.a) && !Sight.Shows(part.b))
@@ -186,7 +186,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     // Proven that the surface goes on between them.
     if (std::isfinite(edge.sagitta) && Judge.Across(part.a, part.b) != EdgeFinding::Open)
     {
-      States[part.edge] = EdgeState::In;
+      States[part.edge] = ContourVerdict::In;
       Counted.jumps += Judge.IsJump(part.a, part.b, edge) ? 1 : 0;
       return;
     }
@@ -202,14 +202,14 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   {
     return;
   }
-  States[part.edge] = std::max(States[part.edge], EdgeState::Undecided);
+  States[part.edge] = JoinVerdicts(States[part.edge], ContourVerdict::Undecided);
 }
 
-void EdgeSettler::MarkOpen(std::span<EdgeState> states) const
+void EdgeSettler::MarkOpen(std::span<ContourVerdict> states) const
 {
   for (const Part& part : Open)
   {
-    states[part.edge] = std::max(states[part.edge], EdgeState::Undecided);
+    states[part.edge] = JoinVerdicts(states[part.edge], ContourVerdict::Undecided);
   }
 }
 
@@ -221,8 +221,8 @@ void EdgeSettler::Refine()
     std::erase_if(parts,
       [this](const Part& part)
       {
-        return States[part.edge] == EdgeState::In ||
-          (IsLimited && States[part.edge] == EdgeState::Undecided &&
+        return States[part.edge] == ContourVerdict::In ||
+          (IsLimited && States[part.edge] == ContourVerdict::Undecided &&
             !Judge.AreOpposite(part.a, part.b));
       });
     if (parts.empty())
@@ -261,7 +261,7 @@ void EdgeSettler::Refine()
         { parts[i].edge, ends[i], parts[i].b, parts[i].peeks } };
       for (const Part& half : halves)
       {
-        if (States[half.edge] != EdgeState::In)
+        if (States[half.edge] != ContourVerdict::In)
         {
           Settle(half, JudgeWithin(half), level);
         }

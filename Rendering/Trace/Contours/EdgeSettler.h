@@ -10,13 +10,12 @@
 
 namespace pixelexact
 {
-/// The state of an edge, or of a pixel by its edges.
-enum class EdgeState : std::uint8_t
+/// The verdict of what consists of two parts, without branches.
+inline ContourVerdict JoinVerdicts(ContourVerdict a, ContourVerdict b)
 {
-  Out,
-  Undecided,
-  In
-};
+  const auto joined = b == ContourVerdict::Out ? a : ContourVerdict::Undecided;
+  return a == ContourVerdict::In || b == ContourVerdict::In ? ContourVerdict::In : joined;
+}
 
 /// Settles a tile's edges, and halves those that are open.
 class EdgeSettler
@@ -24,7 +23,7 @@ class EdgeSettler
 public:
   /// `states`: of all edges; those that are in stay so. All must outlive it.
   EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
-    std::span<EdgeState> states, ContourCounters& counted);
+    std::span<ContourVerdict> states, ContourCounters& counted);
 
   /// Edges of a row or a column, one after the other. `peeks`: a corner of a pixel at the edge
   /// shows the layer, so that it is looked for between samples that do not.
@@ -32,7 +31,7 @@ public:
   /// After a row or a column, or where edges were left out.
   void EndRow();
   /// Edges that are open become undecided here.
-  void MarkOpen(std::span<EdgeState> states) const;
+  void MarkOpen(std::span<ContourVerdict> states) const;
   /// Halves what is open.
   void Refine();
 
@@ -64,7 +63,7 @@ private:
   const EdgeJudge& Judge;
   ContourMethod Method;
   bool IsPlane;
-  std::span<EdgeState> States;
+  std::span<ContourVerdict> States;
   ContourCounters& Counted;
   std::vector<int> Parts;   ///< open, of each edge
   std::vector<int> Samples; ///< of each edge, so far

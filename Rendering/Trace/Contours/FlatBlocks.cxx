@@ -76,7 +76,7 @@ std::optional<Outline> FlatBlocks::OutlineOf(const TileArea& pixels)
   return Outline(std::array{ found[0].x, found[1].x, found[2].x, found[3].x });
 }
 
-FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileArea& block)
+EdgeFinding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileArea& block)
 {
   const int x = block.x0;
   const int y = block.y0;
@@ -87,13 +87,13 @@ FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileAr
   const int above = next(y, block.Height(), Area.y0, Area.y1);
   if (right == x || above == y || !ShowsAt(x, y) || !ShowsAt(right, y) || !ShowsAt(x, above))
   {
-    return Finding::Uncovered;
+    return EdgeFinding::Uncovered;
   }
   const std::vector<std::int64_t>& elements = Centres->samples.element;
   const std::int64_t element = elements[Centres->At(x, y)];
   if (elements[Centres->At(right, y)] != element || elements[Centres->At(x, above)] != element)
   {
-    return Finding::Uncovered;
+    return EdgeFinding::Uncovered;
   }
   const std::array<EdgeEnd, 3> ends{ EndAt(x, y), EndAt(right, y), EndAt(x, above) };
   const int side = judge.SideOf(ends[0].point.value);
@@ -101,23 +101,23 @@ FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileAr
   if (!oneByOne &&
     (judge.SideOf(ends[1].point.value) != side || judge.SideOf(ends[2].point.value) != side))
   {
-    return Finding::Open;
+    return EdgeFinding::Open;
   }
   const std::optional<Outline> outline = OutlineOf(block);
   const std::optional<PlanarValues> values = outline ? judge.Over(ends, *outline) : std::nullopt;
   if (!values)
   {
-    return Finding::Uncovered;
+    return EdgeFinding::Uncovered;
   }
   if (!judge.Meets(values->values.lower, values->values.upper))
   {
-    return Finding::Out;
+    return EdgeFinding::Out;
   }
   if (oneByOne)
   {
     SettlePixels(judge, block, *values);
   }
-  return Finding::Open;
+  return EdgeFinding::Open;
 }
 
 void FlatBlocks::SettlePixels(
@@ -128,8 +128,8 @@ void FlatBlocks::SettlePixels(
   {
     for (int x = block.x0; x < block.x1; ++x)
     {
-      EdgeState& state = States[PixelAt(x, y)];
-      if (state != EdgeState::Undecided)
+      ContourVerdict& state = States[PixelAt(x, y)];
+      if (state != ContourVerdict::Undecided)
       {
         continue;
       }
@@ -148,13 +148,13 @@ void FlatBlocks::SettlePixels(
       }
       if (!judge.Meets(lower - error, upper + error))
       {
-        state = EdgeState::Out;
+        state = ContourVerdict::Out;
       }
       else if (ShowsAll && std::ranges::all_of(corners, &Corner::isAhead) &&
         lower + error < upper - error && judge.Meets(lower + error, upper - error))
       {
         // The pixel's edge leads from one side of the value to the other, within the element.
-        state = EdgeState::In;
+        state = ContourVerdict::In;
       }
     }
   }
@@ -165,7 +165,7 @@ bool FlatBlocks::IsOpen(const TileArea& block) const
   for (int y = block.y0; y < block.y1; ++y)
   {
     const auto first = States.begin() + static_cast<std::ptrdiff_t>(PixelAt(block.x0, y));
-    if (std::find(first, first + block.Width(), EdgeState::Undecided) != first + block.Width())
+    if (std::find(first, first + block.Width(), ContourVerdict::Undecided) != first + block.Width())
     {
       return true;
     }
@@ -178,7 +178,7 @@ void FlatBlocks::LeaveOut(const TileArea& block)
   for (int y = block.y0; y < block.y1; ++y)
   {
     const auto first = States.begin() + static_cast<std::ptrdiff_t>(PixelAt(block.x0, y));
-    std::replace(first, first + block.Width(), EdgeState::Undecided, EdgeState::Out);
+    std::replace(first, first + block.Width(), ContourVerdict::Undecided, ContourVerdict::Out);
   }
 }
 
@@ -224,8 +224,10 @@ bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
 
 void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
 {
-  const Finding finding = !IsAhead && IsBeyond(block) ? Finding::Out : JudgeInside(judge, block);
-  if (finding == Finding::Out || (finding == Finding::Uncovered && IsOutAnyhow(judge, block)))
+  const EdgeFinding finding =
+    !IsAhead && IsBeyond(block) ? EdgeFinding::Out : JudgeInside(judge, block);
+  if (finding == EdgeFinding::Out ||
+    (finding == EdgeFinding::Uncovered && IsOutAnyhow(judge, block)))
   {
     LeaveOut(block);
     return;
@@ -247,7 +249,7 @@ void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
   }
 }
 
-std::vector<EdgeState> FlatBlocks::Settle(
+std::vector<ContourVerdict> FlatBlocks::Settle(
   const EdgeJudge& judge, std::span<const std::uint8_t> asked)
 {
   const auto width = static_cast<std::size_t>(Area.Width());
@@ -255,7 +257,7 @@ std::vector<EdgeState> FlatBlocks::Settle(
   Corners.resize((width + 1) * (height + 1));
   States.resize(width * height);
   std::ranges::transform(asked, States.begin(),
-    [](std::uint8_t one) { return one != 0 ? EdgeState::Undecided : EdgeState::Out; });
+    [](std::uint8_t one) { return one != 0 ? ContourVerdict::Undecided : ContourVerdict::Out; });
   IsAhead = std::ranges::all_of(CornersOf(Area), &Corner::isAhead);
   Settle(judge, Area);
   return std::move(States);

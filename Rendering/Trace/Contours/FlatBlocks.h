@@ -27,21 +27,15 @@ public:
 
   /// For each pixel of the tile, row by row; Undecided: it is still open. Of those that are not
   /// asked for (0): Out.
-  [[nodiscard]] std::vector<EdgeState> Settle(
+  [[nodiscard]] std::vector<ContourVerdict> Settle(
     const EdgeJudge& judge, std::span<const std::uint8_t> asked);
 
 private:
-  enum class Finding : std::uint8_t
-  {
-    Out,
-    Open,     ///< a value may occur
-    Uncovered ///< nor proven that the block lies in one element
-  };
-
   void Settle(const EdgeJudge& judge, const TileArea& block);
-  /// By three of its centres, if they are in one element. Of a small block that is open, pixels
+  /// By three of its centres, if they are in one element: Out, Open, or Uncovered where the block
+  /// is not proven to lie in one element. Of a small block that is open, pixels
   /// may be settled.
-  [[nodiscard]] Finding JudgeInside(const EdgeJudge& judge, const TileArea& block);
+  [[nodiscard]] EdgeFinding JudgeInside(const EdgeJudge& judge, const TileArea& block);
   /// Pixels by the values at their corners, known up to an error.
   void SettlePixels(const EdgeJudge& judge, const TileArea& block, const PlanarValues& values);
   [[nodiscard]] bool IsOpen(const TileArea& block) const;
@@ -76,6 +70,6 @@ private:
   bool IsAhead = false;        ///< no block is beyond
   bool ShowsAll;               ///< whatever is on the surface in the mesh: nothing hides it
   std::vector<Corner> Corners; ///< that are known, while blocks are settled
-  std::vector<EdgeState> States;
+  std::vector<ContourVerdict> States;
 };
 } // namespace pixelexact

@@ -30,7 +30,7 @@ ContourMethod WithAnySamples(ContourMethod method)
 } // namespace
 
 PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeJudge& judge,
-  const ContourMethod& method, std::span<EdgeState> states, ContourCounters& counted)
+  const ContourMethod& method, std::span<ContourVerdict> states, ContourCounters& counted)
   : Sight(sight)
   , Judge(judge)
   , Method(method)
@@ -43,7 +43,7 @@ PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeJudge& judge,
 
 void PixelInteriors::Add(std::size_t pixel, const Corners& corners)
 {
-  if (States[pixel] == EdgeState::Out)
+  if (States[pixel] == ContourVerdict::Out)
   {
     Settle({ pixel, corners }, 0);
   }
@@ -105,7 +105,7 @@ void PixelInteriors::Settle(const Square& square, int level)
     Open.push_back(square);
     return;
   }
-  States[square.pixel] = std::max(States[square.pixel], EdgeState::Undecided);
+  States[square.pixel] = JoinVerdicts(States[square.pixel], ContourVerdict::Undecided);
 }
 
 void PixelInteriors::Compare(const Square& square, std::span<const EdgeEnd> samples)
@@ -134,7 +134,7 @@ void PixelInteriors::Refine()
   {
     std::vector<Square> squares = std::exchange(Open, {});
     std::erase_if(
-      squares, [this](const Square& square) { return States[square.pixel] == EdgeState::In; });
+      squares, [this](const Square& square) { return States[square.pixel] == ContourVerdict::In; });
     if (squares.empty())
     {
       return;
@@ -148,7 +148,7 @@ void PixelInteriors::Refine()
     {
       for (const Square& square : squares)
       {
-        States[square.pixel] = std::max(States[square.pixel], EdgeState::Undecided);
+        States[square.pixel] = JoinVerdicts(States[square.pixel], ContourVerdict::Undecided);
       }
       return;
     }
@@ -176,7 +176,7 @@ void PixelInteriors::Refine()
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
       const auto& [pixel, corners] = squares[i];
-      if (States[pixel] == EdgeState::In)
+      if (States[pixel] == ContourVerdict::In)
       {
         continue;
       }

@@ -17,7 +17,7 @@ class PixelInteriors
 public:
   /// `states`: of all pixels; only those that are out are asked. All must outlive it.
   PixelInteriors(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
-    std::span<EdgeState> states, ContourCounters& counted);
+    std::span<ContourVerdict> states, ContourCounters& counted);
 
   /// A pixel's corners: lower left, lower right, upper right, upper left.
   using Corners = std::array<EdgeEnd, 4>;
@@ -41,7 +41,7 @@ private:
   LayerSight& Sight;
   const EdgeJudge& Judge;
   ContourMethod Method;
-  std::span<EdgeState> States;
+  std::span<ContourVerdict> States;
   ContourCounters& Counted;
   EdgeSettler Lines;        ///< from sample to sample
   std::vector<int> Squares; ///< open, of each pixel
