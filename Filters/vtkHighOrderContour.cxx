@@ -4,6 +4,7 @@
 #include "ContourList.h"
 #include "Conversion/ModelSource.h"
 #include "Core/Contour/RoundValues.h"
+#include "Core/Contour/SurfaceAbilities.h"
 #include "Cuts/ContourPolyData.h"
 #include "Cuts/VtkCutFunction.h"
 #include "HighOrderModel.h"
@@ -85,6 +86,11 @@ void vtkHighOrderContour::SetCutFunction(vtkImplicitFunction* function)
 vtkImplicitFunction* vtkHighOrderContour::GetCutFunction()
 {
   return this->CutFunction;
+}
+
+std::string vtkHighOrderContour::DescribeSurfaces()
+{
+  return DescribeSurfacesWith(SurfaceUse::Lines);
 }
 
 void vtkHighOrderContour::SetValue(int i, double value)
@@ -184,21 +190,31 @@ bool vtkHighOrderContour::Make(vtkDataObject* mesh, vtkPolyData* output)
   const Box3 box = model->GetLocator().Bounds();
   const double extent = glm::length(box.upper - box.lower);
   const double diagonal = extent > 0.0 ? extent : 1.0; // a grid may be empty
-  const auto cut = MakeCutFunction(this->CutFunction, diagonal);
+  const std::vector<SurfacePatch> patches = PatchesOf(this->CutFunction);
   ContourRequest options{ this->Values->All(), this->Tolerance };
   if (options.tolerance == 0.0)
   {
     options.tolerance = 1e-4 * diagonal;
   }
   this->UpdateProgress(0.2);
-  const ContourSet set = TraceContours({ model->GetMesh(), &field, this->Component, cut.get() },
-    model->GetLocator(), model->Faces(), options);
+  ContourQuestion question{ model->GetMesh(), &field, this->Component };
+  ContourSet set;
+  if (patches.empty())
+  {
+    const auto cut = MakeCutFunction(this->CutFunction, diagonal);
+    question.cut = cut.get();
+    set = TraceContours(question, model->GetLocator(), model->Faces(), options);
+  }
+  else
+  {
+    set = TraceContours(question, patches, model->GetLocator(), model->Faces(), options);
+  }
   this->UpdateProgress(0.9);
   ToPolyData(set, *model, field.name.empty() ? "Value" : field.name, options.values, output);
   this->NumberOfUncertifiedLines = set.report.uncertified;
   this->NumberOfUndecidedElements = set.report.undecided;
   this->ReportText = DescribeContours(set);
-  if (!cut->IsPolynomial())
+  if (patches.empty())
   {
     this->ReportText +=
       std::string(this->CutFunction->GetClassName()) + " is searched by samples: not certified\n";

@@ -14,9 +14,10 @@
  * value's in world units. Cell data: `ContourValue`; `Closed`; `Certified`: 1 where it is proven
  * that the line has this course in the elements it passes and that none is missing in these.
  *
- * Planes, spheres, cylinders, cones of both halves and quadrics, also moved by affine transforms,
- * are certified; contours on other functions' surfaces are searched for in samples and never are.
- * What is not certified, or could not be decided, is counted and warned of.
+ * Planes, spheres, cylinders, cones of both halves, quadrics, tori, boxes and convex bodies, also
+ * moved by affine transforms, are certified; lines end at the edges of boxes and bodies. Contours
+ * on other functions' surfaces are searched for in samples and never certified. What is not
+ * certified, or could not be decided, is counted and warned of.
  */
 
 #ifndef vtkHighOrderContour_h
@@ -55,6 +56,11 @@ public:
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
   ///@}
+
+  /**
+   * The surfaces whose contours are certified, as a part of an error's message.
+   */
+  static std::string DescribeSurfaces();
 
   ///@{
   /**

@@ -195,15 +195,15 @@ bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);
-  std::vector<QuadricForm> clips;
+  std::vector<ImplicitPolynomial> clips;
   for (const auto& function : this->ClipFunctions)
   {
-    std::ranges::copy(ClipsOf(function), std::back_inserter(clips));
+    std::ranges::copy(IntegralClipsOf(function), std::back_inserter(clips));
   }
   SurfaceIntegral found;
   if (over == OverCutFunction)
   {
-    found = IntegratePieces(question, PiecesOf(this->CutFunction), clips, *model, effort);
+    found = IntegratePatches(question, IntegralPatchesOf(this->CutFunction), clips, *model, effort);
   }
   else if (over == OverIsoSurface)
   {
@@ -212,10 +212,10 @@ bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
     {
       throw InvalidData("there is no field to take an iso-surface of.");
     }
-    const IntegralPiece iso{ std::make_shared<IsoValueSurface>(
-                               *field, this->IsoComponent, this->IsoValue),
-      {}, std::nullopt };
-    found = IntegratePieces(question, std::span(&iso, 1), clips, *model, effort);
+    const IsoValueSurface iso(*field, this->IsoComponent, this->IsoValue);
+    question.cut = &iso;
+    question.clips = clips;
+    found = IntegrateCut(question, model->GetLocator(), model->Faces(), effort);
   }
   else
   {

@@ -55,11 +55,11 @@ std::vector<Vec3> CrossingsOf(const Vec3& point, const Vec3& normal, const Box3&
 }
 
 CutTriangles PlaneGrid(
-  const QuadricForm& form, const Box3& box, int resolution, double bytesPerPoint)
+  const ImplicitPolynomial& form, const Box3& box, int resolution, double bytesPerPoint)
 {
-  const double length = glm::length(form.g);
-  const Vec3 normal = form.g / length;
-  const Vec3 point = form.origin - normal * (form.c / length);
+  const double length = glm::length(form.a.g);
+  const Vec3 normal = form.a.g / length;
+  const Vec3 point = form.origin - normal * (form.a.c / length);
   // The axis that is most nearly in the plane leads one way.
   const Vec3 slant = glm::abs(normal);
   const int axis = slant.x <= slant.y && slant.x <= slant.z ? 0 : (slant.y <= slant.z ? 1 : 2);
@@ -224,7 +224,7 @@ private:
       x[e] = a + (reached[e] + step) * (b - a);
       lengths[e] = glm::distance(a, b);
     }
-    const QuadricForm* form = Cut.Quadric();
+    const ImplicitPolynomial* form = Cut.Polynomial();
     if (form == nullptr || !form->IsPlane())
     {
       BringOntoSurface(Cut, lengths, x);
@@ -322,7 +322,7 @@ CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolut
   {
     return {};
   }
-  const QuadricForm* form = cut.Quadric();
+  const ImplicitPolynomial* form = cut.Polynomial();
   return form != nullptr && form->IsPlane()
     ? PlaneGrid(*form, box, resolution, bytesPerPoint)
     : MarchCubes(cut, box, resolution, kBytesOfTriangles + bytesPerPoint, progress);

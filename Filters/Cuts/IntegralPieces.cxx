@@ -3,15 +3,12 @@
 
 #include "Cuts/VtkCutFunction.h"
 #include "HighOrderModel.h"
-#include "vtkImplicitTorus.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Contour/SurfaceAbilities.h"
 #include "Core/Location/Locator.h"
 
 #include "vtkImplicitFunction.h"
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -24,19 +21,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a plane or quadric; nothing of other functions.
-std::optional<QuadricForm> FormOf(vtkImplicitFunction* function)
-{
-  // Planes and quadrics need no length.
-  const auto cut = MakeCutFunction(function, 1.0);
-  const QuadricForm* const form = cut->Quadric();
-  return form != nullptr ? std::optional(*form) : std::nullopt;
-}
-
 /// The matrix of a quadric's terms of degree 2: its function is z Q z + g z + c.
-std::array<Vec3, 3> MatrixOf(const QuadricForm& form)
+std::array<Vec3, 3> MatrixOf(const ImplicitPolynomial& form)
 {
-  const auto& q = form.q;
+  const auto& q = form.a.q;
   return { Vec3(q[0], q[3] / 2.0, q[5] / 2.0), Vec3(q[3] / 2.0, q[1], q[4] / 2.0),
     Vec3(q[5] / 2.0, q[4] / 2.0, q[2]) };
 }
@@ -55,7 +43,7 @@ int LargestDiagonal(const std::array<Vec3, 3>& matrix)
 
 /// The form times the power of two that brings the largest diagonal coefficient of Q into [1,2):
 /// products of its coefficients neither underflow nor overflow. Nothing where there is none.
-std::optional<QuadricForm> InUnits(const QuadricForm& form)
+std::optional<ImplicitPolynomial> InUnits(const ImplicitPolynomial& form)
 {
   const auto matrix = MatrixOf(form);
   const int axis = LargestDiagonal(matrix);
@@ -64,14 +52,14 @@ std::optional<QuadricForm> InUnits(const QuadricForm& form)
   {
     return std::nullopt;
   }
-  QuadricForm scaled = form;
+  ImplicitPolynomial scaled = form;
   const auto scale = [exponent = -std::ilogb(a)](double& of) { of = std::ldexp(of, exponent); };
-  std::ranges::for_each(scaled.q, scale);
+  std::ranges::for_each(scaled.a.q, scale);
   for (int d = 0; d < 3; ++d)
   {
-    scale(scaled.g[d]);
+    scale(scaled.a.g[d]);
   }
-  scale(scaled.c);
+  scale(scaled.a.c);
   return scaled;
 }
 
@@ -86,7 +74,7 @@ bool AreProductsEqual(double a, double b, double c, double d)
 /// The vector n of a quadric, as InUnits returns it, whose function is
 /// (n z)^2 / a + (g_k / a) (n z) + c, with its largest diagonal coefficient a = n_k; nothing where
 /// the function depends on more than one direction.
-std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const QuadricForm& form)
+std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const ImplicitPolynomial& form)
 {
   const auto rows = MatrixOf(form);
   const int axis = LargestDiagonal(rows);
@@ -101,7 +89,7 @@ std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const QuadricForm& form)
         return std::nullopt;
       }
     }
-    if (!AreProductsEqual(form.g[i], a, form.g[axis], n[i]))
+    if (!AreProductsEqual(form.a.g[i], a, form.a.g[axis], n[i]))
     {
       return std::nullopt;
     }
@@ -113,14 +101,14 @@ std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const QuadricForm& form)
 /// direction n alone: two, or one where they coincide, at the equation's roots rounded to doubles,
 /// with gradients of the quadric's sense; none where there is no root. The subdivision cannot
 /// separate two planes in boxes that are wider than their distance.
-std::vector<QuadricForm> PartsOf(const QuadricForm& given)
+std::vector<ImplicitPolynomial> PartsOf(const ImplicitPolynomial& given)
 {
-  const std::optional<QuadricForm> inUnits = InUnits(given);
+  const std::optional<ImplicitPolynomial> inUnits = given.b ? std::nullopt : InUnits(given);
   if (!inUnits)
   {
     return { given };
   }
-  const QuadricForm& form = *inUnits;
+  const ImplicitPolynomial& form = *inUnits;
   const auto direction = OnlyDirectionOf(form);
   if (!direction)
   {
@@ -129,121 +117,74 @@ std::vector<QuadricForm> PartsOf(const QuadricForm& given)
   // s = n z is a root of s^2 + g_k s + a c.
   const auto& [n, axis] = *direction;
   const double a = n[axis];
-  const auto half = -static_cast<long double>(form.g[axis]) / 2.0L;
-  const auto product = static_cast<long double>(form.c) * a;
+  const auto half = -static_cast<long double>(form.a.g[axis]) / 2.0L;
+  const auto product = static_cast<long double>(form.a.c) * a;
   const long double square = half * half - product;
   if (!(square >= 0.0L))
   {
     const long double rounding =
       4.0L * std::numeric_limits<long double>::epsilon() * (half * half + std::abs(product));
-    return square < -rounding ? std::vector<QuadricForm>() : std::vector<QuadricForm>{ form };
+    return square < -rounding ? std::vector<ImplicitPolynomial>()
+                              : std::vector<ImplicitPolynomial>{ form };
   }
   // The root of larger magnitude first: the other one does not cancel.
   const long double outer = half + (half < 0.0L ? -1.0L : 1.0L) * std::sqrt(square);
   const long double inner = outer != 0.0L ? product / outer : 0.0L;
-  std::vector<QuadricForm> planes;
+  std::vector<ImplicitPolynomial> planes;
   for (const long double root : { outer, inner })
   {
     if (planes.empty() || square > 0.0L)
     {
       const double sense = static_cast<double>(root - half) * a < 0.0 ? -1.0 : 1.0;
-      QuadricForm plane;
+      ImplicitPolynomial plane;
       plane.origin = form.origin;
-      plane.g = sense * n;
-      plane.c = -sense * static_cast<double>(root);
+      plane.a.g = sense * n;
+      plane.a.c = -sense * static_cast<double>(root);
       planes.push_back(plane);
     }
   }
   return planes;
 }
 
-/// A face of a convex body: a plane within the others.
-std::vector<IntegralPiece> FacesOfBody(const std::vector<QuadricForm>& planes)
-{
-  std::vector<IntegralPiece> faces;
-  for (std::size_t k = 0; k < planes.size(); ++k)
-  {
-    IntegralPiece face{ std::make_shared<QuadricSurface>(planes[k]), planes, std::nullopt };
-    face.clips.erase(face.clips.begin() + static_cast<std::ptrdiff_t>(k));
-    faces.push_back(std::move(face));
-  }
-  return faces;
-}
 } // namespace
 
-std::vector<IntegralPiece> PiecesOf(vtkImplicitFunction* function)
+std::vector<SurfacePatch> IntegralPatchesOf(const std::vector<SurfacePatch>& patches)
 {
-  if (auto* torus = vtkImplicitTorus::SafeDownCast(function))
+  std::vector<SurfacePatch> all;
+  for (const SurfacePatch& patch : patches)
   {
-    if (torus->GetTransform() != nullptr)
+    for (const ImplicitPolynomial& part : PartsOf(patch.surface))
     {
-      throw Unsupported("a vtkImplicitTorus with a transform is not integrated over; give it its "
-                        "centre, axis and radii instead.");
+      all.push_back({ part, patch.clips, patch.within });
     }
-    const double* const c = torus->GetCenter();
-    const double* const a = torus->GetAxis();
-    return { { std::make_shared<TorusSurface>(Vec3(c[0], c[1], c[2]), Vec3(a[0], a[1], a[2]),
-                 torus->GetRadius(), torus->GetTubeRadius()),
-      {}, std::nullopt } };
   }
-  if (const auto planes = PlanesOf(function); !planes.empty())
-  {
-    return FacesOfBody(planes);
-  }
-  if (const auto form = FormOf(function))
-  {
-    std::vector<IntegralPiece> pieces;
-    for (const QuadricForm& part : PartsOf(*form))
-    {
-      pieces.push_back({ std::make_shared<QuadricSurface>(part), {}, std::nullopt });
-    }
-    return pieces;
-  }
-  throw Unsupported(std::string(function->GetClassName()) +
-    ": integrals are taken over planes, spheres, cylinders, cones of two halves, quadrics, "
-    "vtkImplicitTorus, vtkBox, vtkPlanes, iso-surfaces and the boundary.");
+  return all;
 }
 
-std::vector<QuadricForm> ClipsOf(vtkImplicitFunction* function)
+std::vector<SurfacePatch> IntegralPatchesOf(vtkImplicitFunction* function)
 {
-  if (auto planes = PlanesOf(function); !planes.empty())
+  const std::vector<SurfacePatch> patches = PatchesOf(function);
+  if (patches.empty())
   {
-    return planes;
+    throw Unsupported(std::string(function->GetClassName()) + ": " +
+      DescribeSurfacesWith(SurfaceUse::Integrals) + ".");
   }
-  if (const auto form = FormOf(function))
-  {
-    return { *form };
-  }
-  throw Unsupported(std::string(function->GetClassName()) +
-    ": integrals are clipped by planes, spheres, cylinders, cones of two halves, quadrics, vtkBox "
-    "and vtkPlanes.");
+  return IntegralPatchesOf(patches);
 }
 
-std::optional<IntegralPiece> TrianglePiece(const std::array<Vec3, 3>& triangle)
+std::vector<ImplicitPolynomial> IntegralClipsOf(vtkImplicitFunction* function)
 {
-  const auto& [a, b, c] = triangle;
-  const Vec3 normal = glm::cross(b - a, c - a);
-  if (!(glm::length(normal) > 0.0))
+  std::vector<ImplicitPolynomial> clips = ClipsOf(function);
+  if (clips.empty())
   {
-    return std::nullopt;
+    throw Unsupported(
+      std::string(function->GetClassName()) + ": " + DescribeSurfacesWith(SurfaceUse::Clips) + ".");
   }
-  QuadricForm plane;
-  plane.origin = a;
-  plane.g = normal;
-  IntegralPiece piece{ std::make_shared<QuadricSurface>(plane), {}, std::nullopt };
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    QuadricForm side;
-    side.origin = triangle[k];
-    side.g = glm::cross(triangle[(k + 1) % 3] - triangle[k], normal);
-    piece.clips.push_back(side);
-  }
-  piece.within = Box3{ glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c) };
-  return piece;
+  return clips;
 }
 
-SurfaceIntegral IntegratePieces(const IntegralQuestion& question,
-  std::span<const IntegralPiece> pieces, std::span<const QuadricForm> clips,
+SurfaceIntegral IntegratePatches(const IntegralQuestion& question,
+  std::span<const SurfacePatch> patches, std::span<const ImplicitPolynomial> clips,
   const HighOrderModel& model, const IntegralEffort& effort)
 {
   using Clock = std::chrono::steady_clock;
@@ -252,13 +193,13 @@ SurfaceIntegral IntegratePieces(const IntegralQuestion& question,
   sum.met = true;
   sum.sums.resize(question.Quantities());
   sum.magnitudes.resize(question.Quantities());
-  std::size_t left = pieces.size();
-  for (const IntegralPiece& piece : pieces)
+  std::size_t left = patches.size();
+  for (const SurfacePatch& patch : patches)
   {
-    std::vector<QuadricForm> all = piece.clips;
+    std::vector<ImplicitPolynomial> all = patch.clips;
     std::ranges::copy(clips, std::back_inserter(all));
-    const IntegralQuestion part{ question.mesh, question.field, piece.cut.get(), all,
-      piece.within };
+    const PolynomialSurface surface(patch.surface);
+    const IntegralQuestion part{ question.mesh, question.field, &surface, all, patch.within };
     IntegralEffort share = effort;
     // What others leave of their time is for those that come behind.
     const std::chrono::duration<double> spent = Clock::now() - start;

@@ -7,9 +7,6 @@
 #include "Core/Integral/IntegralCut.h"
 #include "Core/Integral/Integrate.h"
 
-#include <array>
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,32 +16,23 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// A part of a surface that integrals are taken over.
-struct IntegralPiece
-{
-  std::shared_ptr<const IntegralCut> cut;
-  std::vector<QuadricForm> clips; ///< what counts is where none is positive
-  std::optional<Box3> within;     ///< it is in this box
-};
-
-/// Planes, spheres, cylinders, cones (both halves), quadrics, vtkImplicitTorus without transform,
-/// vtkBox and vtkPlanes, face by face. Throws Unsupported for other functions, naming those that
-/// are taken; InvalidData as MakeCutFunction.
-[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<IntegralPiece> PiecesOf(
+/// What integrals are taken over for the zeros of a function: PatchesOf, with pairs of parallel
+/// planes as planes. Throws Unsupported for other functions, naming those that are taken;
+/// InvalidData as PatchesOf.
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<SurfacePatch> IntegralPatchesOf(
   vtkImplicitFunction* function);
-/// A function that clips: what counts is where it is not positive. Planes, quadrics, vtkBox and
-/// vtkPlanes. Throws as PiecesOf.
-[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<QuadricForm> ClipsOf(
+/// The same of any surface's parts.
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<SurfacePatch> IntegralPatchesOf(
+  const std::vector<SurfacePatch>& patches);
+/// A function that clips: what counts is where it is not positive. Throws as IntegralPatchesOf.
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<ImplicitPolynomial> IntegralClipsOf(
   vtkImplicitFunction* function);
-/// A triangle, whose flux is along the product of its first two sides; nothing where it has no
-/// area.
-[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::optional<IntegralPiece> TrianglePiece(
-  const std::array<Vec3, 3>& triangle);
 
-/// The sum over the pieces, each clipped further. `question`: its mesh is the model's; its cut,
+/// The sum over the parts, each clipped further. `question`: its mesh is the model's; its cut,
 /// clips and box are not looked at.
-[[nodiscard]] PIXELEXACTFILTERS_EXPORT SurfaceIntegral IntegratePieces(
-  const IntegralQuestion& question, std::span<const IntegralPiece> pieces,
-  std::span<const QuadricForm> clips, const HighOrderModel& model, const IntegralEffort& effort);
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT SurfaceIntegral IntegratePatches(
+  const IntegralQuestion& question, std::span<const SurfacePatch> patches,
+  std::span<const ImplicitPolynomial> clips, const HighOrderModel& model,
+  const IntegralEffort& effort);
 } // namespace pixelexact
 #endif

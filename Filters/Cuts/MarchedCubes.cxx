@@ -89,10 +89,10 @@ public:
         }
       }
     }
-    if (const QuadricForm* form = cut.Quadric())
+    if (const ImplicitPolynomial* form = cut.Polynomial(); form != nullptr && form->Degree() <= 2)
     {
       IsQuadric = true;
-      for (const double q : form->q)
+      for (const double q : form->a.q)
       {
         Bend += std::fabs(q);
       }

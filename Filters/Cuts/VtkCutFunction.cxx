@@ -47,18 +47,6 @@ public:
     , Step(1e-6 * length)
   {
   }
-  [[nodiscard]] double Value(const Vec3& x) const override
-  {
-    double value = 0.0;
-    Values({ &x, 1 }, { &value, 1 });
-    return value;
-  }
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
-  {
-    Vec3 gradient;
-    Gradients({ &x, 1 }, { &gradient, 1 });
-    return gradient;
-  }
   void Values(std::span<const Vec3> x, std::span<double> values) const override
   {
     AtOnce ? FunctionValues(Function, x, values) : AskOneByOne(x, values);
@@ -122,32 +110,31 @@ private:
   double Step;
 };
 
-QuadricForm FormOf(vtkPlane* plane)
+QuadraticPolynomial RoundAbout(const Vec3& axis, double radius)
 {
-  QuadricForm form;
+  const Vec3 n = glm::normalize(axis);
+  return { { 1.0 - n.x * n.x, 1.0 - n.y * n.y, 1.0 - n.z * n.z, -2.0 * n.x * n.y, -2.0 * n.y * n.z,
+             -2.0 * n.x * n.z },
+    Vec3(0.0), -radius * radius };
+}
+
+ImplicitPolynomial FormOf(vtkPlane* plane)
+{
+  ImplicitPolynomial form;
   plane->GetOrigin(glm::value_ptr(form.origin));
   // The function itself, and not GetNormal(): newer planes also have an offset along the normal.
-  plane->EvaluateGradient(glm::value_ptr(form.origin), glm::value_ptr(form.g));
-  if (form.g == Vec3(0.0))
+  plane->EvaluateGradient(glm::value_ptr(form.origin), glm::value_ptr(form.a.g));
+  if (form.a.g == Vec3(0.0))
   {
     throw InvalidData("the normal of the vtkPlane is zero; give it a direction.");
   }
-  form.c = plane->EvaluateFunction(glm::value_ptr(form.origin));
+  form.a.c = plane->EvaluateFunction(glm::value_ptr(form.origin));
   return form;
 }
 
-QuadricForm FormOf(vtkSphere* sphere)
+ImplicitPolynomial FormOf(vtkCylinder* cylinder)
 {
-  QuadricForm form;
-  sphere->GetCenter(glm::value_ptr(form.origin));
-  form.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
-  form.c = -sphere->GetRadius() * sphere->GetRadius();
-  return form;
-}
-
-QuadricForm FormOf(vtkCylinder* cylinder)
-{
-  QuadricForm form;
+  ImplicitPolynomial form;
   Vec3 axis;
   cylinder->GetCenter(glm::value_ptr(form.origin));
   cylinder->GetAxis(glm::value_ptr(axis));
@@ -155,16 +142,13 @@ QuadricForm FormOf(vtkCylinder* cylinder)
   {
     throw InvalidData("the axis of the vtkCylinder is zero; give it a direction.");
   }
-  const Vec3 n = glm::normalize(axis);
-  form.q = { 1.0 - n.x * n.x, 1.0 - n.y * n.y, 1.0 - n.z * n.z, -2.0 * n.x * n.y, -2.0 * n.y * n.z,
-    -2.0 * n.x * n.z };
-  form.c = -cylinder->GetRadius() * cylinder->GetRadius();
+  form.a = RoundAbout(axis, cylinder->GetRadius());
   return form;
 }
 
 // Newer cones may have one half.
 template <class Cone>
-std::optional<QuadricForm> FormOf(Cone* cone)
+std::optional<ImplicitPolynomial> FormOf(Cone* cone)
 {
   if constexpr (requires { cone->GetIsDoubleCone(); })
   {
@@ -175,23 +159,23 @@ std::optional<QuadricForm> FormOf(Cone* cone)
   }
   constexpr double kDegree = 0.017453292519943295;
   const double slope = std::tan(cone->GetAngle() * kDegree);
-  QuadricForm form;
-  form.q = { -slope * slope, 1.0, 1.0, 0.0, 0.0, 0.0 };
+  ImplicitPolynomial form;
+  form.a.q = { -slope * slope, 1.0, 1.0, 0.0, 0.0, 0.0 };
   return form;
 }
 
-QuadricForm FormOf(vtkQuadric* quadric)
+ImplicitPolynomial FormOf(vtkQuadric* quadric)
 {
-  double a[10];
-  quadric->GetCoefficients(a);
-  QuadricForm form;
-  std::copy_n(a, 6, form.q.begin());
-  form.g = { a[6], a[7], a[8] };
-  form.c = a[9];
+  const double* const a = quadric->GetCoefficients();
+  ImplicitPolynomial form;
+  std::copy_n(a, 6, form.a.q.begin());
+  form.a.g = { a[6], a[7], a[8] };
+  form.a.c = a[9];
   return form;
 }
 
-std::optional<QuadricForm> PlainForm(vtkImplicitFunction* function)
+/// Without the transform.
+std::optional<ImplicitPolynomial> PlainForm(vtkImplicitFunction* function)
 {
   if (auto* plane = vtkPlane::SafeDownCast(function))
   {
@@ -199,7 +183,9 @@ std::optional<QuadricForm> PlainForm(vtkImplicitFunction* function)
   }
   if (auto* sphere = vtkSphere::SafeDownCast(function))
   {
-    return FormOf(sphere);
+    Vec3 centre;
+    sphere->GetCenter(glm::value_ptr(centre));
+    return ImplicitPolynomial::Sphere(centre, sphere->GetRadius());
   }
   if (auto* cylinder = vtkCylinder::SafeDownCast(function))
   {
@@ -213,27 +199,33 @@ std::optional<QuadricForm> PlainForm(vtkImplicitFunction* function)
   {
     return FormOf(quadric);
   }
+  if (auto* torus = vtkImplicitTorus::SafeDownCast(function))
+  {
+    Vec3 centre;
+    Vec3 axis;
+    torus->GetCenter(glm::value_ptr(centre));
+    torus->GetAxis(glm::value_ptr(axis));
+    return ImplicitPolynomial::Torus(centre, axis, torus->GetRadius(), torus->GetTubeRadius());
+  }
   return std::nullopt;
 }
 
-/// Of S(A x + b), about the point that goes to the form's origin.
-QuadricForm Moved(const QuadricForm& form, const Mat3& a, const Vec3& b)
+/// Of S(A z).
+QuadraticPolynomial Turned(const QuadraticPolynomial& form, const Mat3& a)
 {
-  const Mat3 matrix(Vec3(form.q[0], form.q[3] / 2.0, form.q[5] / 2.0),
-    Vec3(form.q[3] / 2.0, form.q[1], form.q[4] / 2.0),
-    Vec3(form.q[5] / 2.0, form.q[4] / 2.0, form.q[2]));
-  const Mat3 moved = glm::transpose(a) * matrix * a;
-  QuadricForm result;
-  result.origin = glm::inverse(a) * (form.origin - b);
-  result.q = { moved[0][0], moved[1][1], moved[2][2], 2.0 * moved[0][1], 2.0 * moved[1][2],
-    2.0 * moved[0][2] };
-  result.g = form.g * a;
-  result.c = form.c;
-  return result;
+  const auto& q = form.q;
+  const Mat3 matrix(Vec3(q[0], q[3] / 2.0, q[5] / 2.0), Vec3(q[3] / 2.0, q[1], q[4] / 2.0),
+    Vec3(q[5] / 2.0, q[4] / 2.0, q[2]));
+  const Mat3 turned = glm::transpose(a) * matrix * a;
+  return { { turned[0][0], turned[1][1], turned[2][2], 2.0 * turned[0][1], 2.0 * turned[1][2],
+             2.0 * turned[0][2] },
+    form.g * a, form.c };
 }
 
-/// Nothing where the transform is not affine.
-std::optional<QuadricForm> Moved(const QuadricForm& form, vtkImplicitFunction* function)
+/// Of S(A x + b), about the point that goes to the form's origin. Nothing where the transform is
+/// not affine.
+std::optional<ImplicitPolynomial> Moved(
+  const ImplicitPolynomial& form, vtkImplicitFunction* function)
 {
   vtkAbstractTransform* transform = function->GetTransform();
   if (transform == nullptr)
@@ -267,44 +259,28 @@ std::optional<QuadricForm> Moved(const QuadricForm& form, vtkImplicitFunction* f
     throw InvalidData(std::string("the transform of the ") + function->GetClassName() +
       " has no inverse; give one that keeps volumes.");
   }
-  return Moved(form, a, b);
-}
-} // namespace
-
-std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length)
-{
-  if (const auto plain = PlainForm(function))
+  ImplicitPolynomial moved{ glm::inverse(a) * (form.origin - b), Turned(form.a, a), std::nullopt };
+  if (form.b)
   {
-    if (const auto form = Moved(*plain, function))
-    {
-      return std::make_unique<QuadricCut>(*form);
-    }
+    moved.b = Turned(*form.b, a);
   }
-  auto* torus = vtkImplicitTorus::SafeDownCast(function);
-  if (torus != nullptr && torus->GetTransform() == nullptr &&
-    torus->GetTubeRadius() <= torus->GetRadius())
-  {
-    const double* const c = torus->GetCenter();
-    const double* const a = torus->GetAxis();
-    return std::make_unique<TorusCut>(
-      Vec3(c[0], c[1], c[2]), Vec3(a[0], a[1], a[2]), torus->GetRadius(), torus->GetTubeRadius());
-  }
-  return std::make_unique<AskedFunction>(function, length);
+  return moved;
 }
 
-std::vector<QuadricForm> PlanesOf(vtkImplicitFunction* function)
+/// The planes of a vtkBox or vtkPlanes, with normals that point out of it; none of other functions.
+std::vector<ImplicitPolynomial> PlanesOf(vtkImplicitFunction* function)
 {
-  std::vector<QuadricForm> planes;
+  std::vector<ImplicitPolynomial> planes;
   if (auto* box = vtkBox::SafeDownCast(function))
   {
     double bounds[6];
     box->GetBounds(bounds);
     for (int side = 0; side < 6; ++side)
     {
-      QuadricForm form;
-      form.g[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
-      form.origin[side / 2] = bounds[side];
-      planes.push_back(form);
+      ImplicitPolynomial plane;
+      plane.a.g[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+      plane.origin[side / 2] = bounds[side];
+      planes.push_back(plane);
     }
   }
   else if (auto* several = vtkPlanes::SafeDownCast(function))
@@ -316,16 +292,49 @@ std::vector<QuadricForm> PlanesOf(vtkImplicitFunction* function)
       planes.push_back(FormOf(plane));
     }
   }
-  for (QuadricForm& plane : planes)
+  for (ImplicitPolynomial& plane : planes)
   {
     const auto moved = Moved(plane, function);
     if (!moved)
     {
-      throw Unsupported(
-        std::string(function->GetClassName()) + ": a transform that is not affine is not taken.");
+      return {};
     }
     plane = *moved;
   }
   return planes;
+}
+} // namespace
+
+std::optional<ImplicitPolynomial> PolynomialOf(vtkImplicitFunction* function)
+{
+  const auto plain = PlainForm(function);
+  return plain ? Moved(*plain, function) : std::nullopt;
+}
+
+std::vector<ImplicitPolynomial> ClipsOf(vtkImplicitFunction* function)
+{
+  if (const auto polynomial = PolynomialOf(function))
+  {
+    return { *polynomial };
+  }
+  return PlanesOf(function);
+}
+
+std::vector<SurfacePatch> PatchesOf(vtkImplicitFunction* function)
+{
+  if (const auto polynomial = PolynomialOf(function))
+  {
+    return { { *polynomial } };
+  }
+  return FacesOfBody(PlanesOf(function));
+}
+
+std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length)
+{
+  if (const auto polynomial = PolynomialOf(function))
+  {
+    return std::make_unique<PolynomialCut>(*polynomial);
+  }
+  return std::make_unique<AskedFunction>(function, length);
 }
 } // namespace pixelexact

@@ -5,27 +5,34 @@
 #include "Core/Contour/CutFunction.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkImplicitFunction;
 
 namespace pixelexact
 {
-/// The cut-surface of a vtkImplicitFunction, its transform included. vtkPlane, vtkSphere,
-/// vtkCylinder, vtkCone (both halves) and vtkQuadric, moved by an affine transform or not, become
-/// copies in closed form; so does a vtkImplicitTorus without a transform whose tube does not pass
-/// through itself. Any other function, or transform, is asked itself, by the calling thread
-/// alone: callbacks, alone or in booleans, for many points at once (FunctionValues.h). Its gradient
-/// is by differences over 1e-6 of `length`, for some of VTK's functions have none (vtkSuperquadric
-/// says 0). Where its value is NaN, asking it throws InvalidData, and where a callback fails, Error
-/// with its words.
+/// The polynomial whose zeros are those of a vtkImplicitFunction, its transform included: of
+/// vtkPlane, vtkSphere, vtkCylinder, vtkCone (both halves), vtkQuadric and vtkImplicitTorus.
+/// Nothing for other functions, and for transforms that are not affine.
 ///
 /// Throws InvalidData for a surface without points for want of a direction: a plane's normal or an
 /// axis of length zero, a radius of a torus that is not positive, a transform without inverse.
-std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length);
+std::optional<ImplicitPolynomial> PolynomialOf(vtkImplicitFunction* function);
 
-/// The planes of a vtkBox or vtkPlanes, with normals that point out of it, moved by an affine
-/// transform or not; none of other functions. Throws as MakeCutFunction.
-std::vector<QuadricForm> PlanesOf(vtkImplicitFunction* function);
+/// The same as parts of surfaces: also vtkBox and vtkPlanes, face by face. None for other
+/// functions. Throws as PolynomialOf.
+std::vector<SurfacePatch> PatchesOf(vtkImplicitFunction* function);
+
+/// What clips, where it is positive: PolynomialOf, and the planes of a vtkBox or vtkPlanes. None
+/// for other functions. Throws as PolynomialOf.
+std::vector<ImplicitPolynomial> ClipsOf(vtkImplicitFunction* function);
+
+/// PolynomialOf as a copy. Any other function is evaluated itself, by the calling thread alone:
+/// callbacks, alone or in booleans, for many points at once (FunctionValues.h). Its gradient is by
+/// differences over 1e-6 of `length`, for some of VTK's functions have none (vtkSuperquadric says
+/// 0). Where its value is NaN, evaluating it throws InvalidData, and where a callback fails, Error
+/// with its words. Throws as PolynomialOf.
+std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length);
 } // namespace pixelexact
 #endif

@@ -32,14 +32,6 @@ inline ExpansionBuilder FieldOf(const Mesh& mesh, int order, const LongScalar& f
   return builder;
 }
 
-inline QuadricForm PlaneAt(const Vec3& origin, const Vec3& normal)
-{
-  QuadricForm form;
-  form.origin = origin;
-  form.g = normal;
-  return form;
-}
-
 /// The contours of a mesh and a field of one component.
 inline ContourSet ContoursOf(const Mesh& mesh, const ExpansionBuilder& values,
   const CutFunction& cut, std::vector<double> levels, double tolerance)

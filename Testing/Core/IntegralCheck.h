@@ -10,11 +10,11 @@
 // What tests of integrals share.
 namespace pixelexact::testing
 {
-inline QuadricForm PlaneForm(const Vec3& normal, double c)
+inline ImplicitPolynomial PlaneForm(const Vec3& normal, double c)
 {
-  QuadricForm form;
-  form.g = normal;
-  form.c = c;
+  ImplicitPolynomial form;
+  form.a.g = normal;
+  form.a.c = c;
   return form;
 }
 

@@ -62,7 +62,7 @@ TEST_P(ContourInOneElement, LoopThatNoFaceSees)
   const LongVec3 middle = LongMap(mesh)(0, ToLong(centre));
   const auto f = [middle](const LongVec3& x) { return Dot(Minus(x, middle), Minus(x, middle)); };
   const ExpansionBuilder values = FieldOf(mesh, order, f);
-  const QuadricCut cut(PlaneAt(ToDouble(middle), { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane(ToDouble(middle), { 0.0, 0.0, 1.0 }));
   const double radius = 0.15;
   const std::vector<double> levels{ radius * radius };
   const ContourSet set = ContoursOf(mesh, values, cut, levels, 1e-6);
@@ -100,7 +100,7 @@ TEST_P(ContourOnCurvedMesh, Circle)
   const Mesh mesh = curved.View();
   const auto f = [](const LongVec3& x) { return x[0] * x[0] + x[1] * x[1]; };
   const ExpansionBuilder values = FieldOf(mesh, 6, f);
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.0625 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.0625 }, { 0.0, 0.0, 1.0 }));
   const double radius = 0.625;
   const std::vector<double> levels{ radius * radius };
   const ContourSet set = ContoursOf(mesh, values, cut, levels, 1e-6);
@@ -130,7 +130,8 @@ TEST(Contour, SmallMeshesFarAway)
       return a * a + b * b;
     };
     const ExpansionBuilder values = FieldOf(mesh, 6, f);
-    const QuadricCut cut(PlaneAt({ 1000.0, -2000.0, 500.0 + 0x1p-14 }, { 0.0, 0.0, 1.0 }));
+    const PolynomialCut cut(
+      ImplicitPolynomial::Plane({ 1000.0, -2000.0, 500.0 + 0x1p-14 }, { 0.0, 0.0, 1.0 }));
     const std::vector<double> levels{ 0.390625 };
     const ContourSet set = ContoursOf(mesh, values, cut, levels, 0x1p-30);
     ASSERT_EQ(set.lines.size(), 1U) << Name(shape);
@@ -163,7 +164,7 @@ TEST(Contour, SurfaceAlongAFaceIsDrawnOnce)
   const Mesh mesh = builder.View();
   const auto f = [](const LongVec3& x) { return x[0] * x[0] + x[1] * x[1]; };
   const ExpansionBuilder values = FieldOf(mesh, 2, f);
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.0 }));
   const ContourSet set = ContoursOf(mesh, values, cut, { 0.25 }, 1e-6);
   ExpectCircle(set, cut, 0.5);
   for (const ContourVertex& vertex : set.vertices)
@@ -197,7 +198,7 @@ TEST(Contour, SurfaceAlongAHangingFaceIsDrawnOnce)
   const ExpansionBuilder values = FieldOf(mesh, 2,
     [](const LongVec3& x)
     { return (x[0] - 0.1L) * (x[0] - 0.1L) + (x[1] - 0.05L) * (x[1] - 0.05L); });
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }));
   const ContourSet set = ContoursOf(mesh, values, cut, { 0.25 }, 1e-6);
   ExpectCircle(set, cut, 0.5);
   EXPECT_EQ(set.report.uncertified, 0);
@@ -214,7 +215,7 @@ TEST(Contour, LinesThroughManyElements)
   const Mesh mesh = curved.View();
   const auto f = [](const LongVec3& x) { return x[0] + 2.0L * x[1]; };
   const ExpansionBuilder values = FieldOf(mesh, 3, f);
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 }));
   const ContourSet set = ContoursOf(mesh, values, cut, { -0.4, 0.3 }, 1e-6);
   ASSERT_EQ(set.lines.size(), 2U);
   for (const ContourLine& line : set.lines)
@@ -238,7 +239,7 @@ TEST(Contour, LoopsCloserThanAnySampling)
       return g * g;
     };
     const ExpansionBuilder values = FieldOf(mesh, 4, f);
-    const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.3 }, { 0.0, 0.0, 1.0 }));
+    const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.3 }, { 0.0, 0.0, 1.0 }));
     const ContourSet set = ContoursOf(mesh, values, cut, { static_cast<double>(gap * gap) }, 1e-5);
     ASSERT_EQ(set.lines.size(), 2U) << static_cast<double>(gap);
     double area = 0.0;
@@ -270,7 +271,7 @@ TEST(Contour, RandomFieldsHaveAsManyLinesAsRegions)
       coefficient = random();
     }
     const double z = -0.37 + 0.02 * i;
-    const QuadricCut cut(PlaneAt({ 0.0, 0.0, z }, { 0.0, 0.0, 1.0 }));
+    const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, z }, { 0.0, 0.0, 1.0 }));
     const ContourSet set = ContoursOf(mesh, values, cut, { 0.05 }, 1e-3);
     const Field field{ "f", values.View() };
     EXPECT_EQ(set.lines.size() + 1, CountRegions(mesh, field, z, 0.05, kPixels)) << i;
@@ -289,7 +290,7 @@ TEST(Contour, PiecesBesideAnEdge)
   {
     const ExpansionBuilder values =
       FieldOf(mesh, 1, [](const LongVec3& x) { return x[0] + 0.3L * x[2]; });
-    const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+    const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
     // Through (1 - gap, z = 1): from the lower element, which the faces x = 1 and z = 1 end.
     const ContourSet set = ContoursOf(mesh, values, cut, { 1.3 - gap, 1.3 + gap }, 1e-6);
     EXPECT_EQ(set.lines.size(), 2U) << gap;
@@ -304,7 +305,7 @@ TEST(Contour, SaddleBesideItsValue)
   const Mesh mesh = builder.View();
   const auto f = [](const LongVec3& x) { return (x[0] - 0.1L) * (x[1] + 0.2L); };
   const ExpansionBuilder values = FieldOf(mesh, 2, f);
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.3 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.3 }, { 0.0, 0.0, 1.0 }));
   for (const double level : { 1e-9, -1e-9 })
   {
     const ContourSet set = ContoursOf(mesh, values, cut, { level }, 1e-6);
@@ -337,7 +338,7 @@ TEST(Contour, EndsWhereTheFieldJumps)
     values.Add(UniformSpace(Shape::Hexahedron, 1),
       [e](const LongVec3& xi, long double* value) { *value = xi[0] + 1e-3L * e; });
   }
-  const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
   const ContourSet set = ContoursOf(mesh, values, cut, { 0.25 }, 1e-6);
   EXPECT_EQ(set.lines.size(), 2U);
   EXPECT_EQ(set.report.endsInside, 2);
@@ -349,7 +350,7 @@ TEST(Contour, ConstantsAndWhatIsNoNumberAreTold)
   const Mesh mesh = builder.View();
   ExpansionBuilder values =
     FieldOf(mesh, 2, [](const LongVec3& x) { return x[2] < 1.0L ? 0.5L : 0.5L; });
-  const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
   const ContourSet constant = ContoursOf(mesh, values, cut, { 0.5 }, 1e-6);
   EXPECT_EQ(constant.report.constant, 2);
   EXPECT_TRUE(constant.lines.empty());
@@ -380,7 +381,7 @@ TEST(Contour, WhatIsNoNumberIsToldWhateverTheValues)
   const Field field{ "f", values.View() };
   const Locator locator(mesh);
   const FaceTable faces(locator.Index());
-  const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
   for (const std::vector<double>& levels :
     { std::vector{ 0.0, 1.1 }, std::vector{ -1.0, 1.1 }, std::vector{ 1.1, 1.2 } })
   {
@@ -396,21 +397,23 @@ TEST(Contour, WhatIsNoNumberIsToldWhateverTheValues)
 class AnyCut final : public CutFunction
 {
 public:
-  explicit AnyCut(const QuadricForm& form)
+  explicit AnyCut(const ImplicitPolynomial& form)
     : Form(form)
   {
   }
-  [[nodiscard]] double Value(const Vec3& x) const override
+  void Values(std::span<const Vec3> x, std::span<double> values) const override
   {
-    return Form.ValueAround(x - Form.origin);
+    std::ranges::transform(
+      x, values.begin(), [this](const Vec3& at) { return Form.ValueAround(at - Form.origin); });
   }
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
+  void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override
   {
-    return Form.GradientAround(x - Form.origin);
+    std::ranges::transform(x, gradients.begin(),
+      [this](const Vec3& at) { return Form.GradientAround(at - Form.origin); });
   }
 
 private:
-  QuadricForm Form;
+  ImplicitPolynomial Form;
 };
 
 TEST(Contour, QuadricsAndOtherFunctions)
@@ -419,15 +422,12 @@ TEST(Contour, QuadricsAndOtherFunctions)
   const CurvedMesh curved = Blocks(2, shapes);
   const Mesh mesh = curved.View();
   const ExpansionBuilder values = FieldOf(mesh, 3, [](const LongVec3& x) { return x[2]; });
-  QuadricForm ball;
-  ball.origin = { 0.05, 0.0, -0.1 };
-  ball.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
-  ball.c = -0.49;
+  const auto ball = ImplicitPolynomial::Sphere({ 0.05, 0.0, -0.1 }, 0.7);
   const double radius = std::sqrt(0.49 - 0.25 * 0.25);
-  const ContourSet exact = ContoursOf(mesh, values, QuadricCut(ball), { 0.15 }, 1e-6);
+  const ContourSet exact = ContoursOf(mesh, values, PolynomialCut(ball), { 0.15 }, 1e-6);
   ASSERT_EQ(exact.lines.size(), 1U);
   EXPECT_TRUE(exact.lines[0].certified);
-  EXPECT_NEAR(Measure(exact, exact.lines[0], QuadricCut(ball)).length, 2.0 * kPi * radius, 1e-9);
+  EXPECT_NEAR(Measure(exact, exact.lines[0], PolynomialCut(ball)).length, 2.0 * kPi * radius, 1e-9);
   const ContourSet any = ContoursOf(mesh, values, AnyCut(ball), { 0.15 }, 1e-6);
   ASSERT_EQ(any.lines.size(), 1U);
   EXPECT_TRUE(any.lines[0].closed);
@@ -440,12 +440,9 @@ TEST(Contour, PlateausAreToldAndHaveNoLines)
 {
   const MeshBuilder builder = Stack(1);
   const Mesh mesh = builder.View();
-  const QuadricCut plane(PlaneAt({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
-  const QuadricCut slanted(PlaneAt({ 0.1, 0.2, 0.0 }, { 1.0, 2.0, 3.0 }));
-  QuadricForm ball;
-  ball.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
-  ball.c = -0.5;
-  const QuadricCut sphere(ball);
+  const PolynomialCut plane(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut slanted(ImplicitPolynomial::Plane({ 0.1, 0.2, 0.0 }, { 1.0, 2.0, 3.0 }));
+  const PolynomialCut sphere(ImplicitPolynomial::Sphere(Vec3(0.0), std::sqrt(0.5)));
   struct Case
   {
     const CutFunction* cut;
@@ -512,7 +509,7 @@ TEST(Contour, LinesThatAreTouchedComeOnce)
   };
   const MeshBuilder builder = Stack(1);
   const Mesh mesh = builder.View();
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
   const double half = std::sqrt(0.5);
   const ContourSet touched = ContoursOf(
     mesh, FieldOf(mesh, 8, [&](const LongVec3& x) { return t8(x[0]); }), cut, { 1.0 }, 1e-4);
@@ -530,7 +527,7 @@ TEST(Contour, WhatIsTouchedAndNotFollowedIsUndecided)
 {
   const MeshBuilder builder = Stack(1);
   const Mesh mesh = builder.View();
-  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
+  const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
   const auto round = [](const LongVec3& x) { return x[0] * x[0] + x[1] * x[1] - 0.25L; };
   const ContourSet circle = ContoursOf(mesh,
     FieldOf(mesh, 4, [&](const LongVec3& x) { return round(x) * round(x); }), cut, { 0.0 }, 1e-6);
@@ -549,7 +546,8 @@ TEST(Contour, LinesOnATorusAreCertified)
   const CurvedMesh curved = Blocks(2, shapes);
   const Mesh mesh = curved.View();
   const ExpansionBuilder values = FieldOf(mesh, 3, [](const LongVec3& x) { return x[2]; });
-  const TorusCut torus({ 0.05, 0.0, -0.1 }, { 0.0, 0.0, 2.0 }, 0.5, 0.25);
+  const PolynomialCut torus(
+    ImplicitPolynomial::Torus({ 0.05, 0.0, -0.1 }, { 0.0, 0.0, 2.0 }, 0.5, 0.25));
   const ContourSet set = ContoursOf(mesh, values, torus, { 0.05 }, 1e-6);
   ASSERT_EQ(set.lines.size(), 2U);
   EXPECT_EQ(set.report.uncertified, 0);
@@ -564,15 +562,65 @@ TEST(Contour, LinesOnATorusAreCertified)
   EXPECT_NEAR(length, 2.0 * kPi * (0.3 + 0.7), 1e-8);
 }
 
+/// Where z = 0.15 on the faces of a box and on a disc: a rectangle of four lines, and a chord.
+TEST(Contour, LinesEndWhereClipsDo)
+{
+  const Shape shapes[] = { Shape::Hexahedron, Shape::Prism };
+  const CurvedMesh curved = Blocks(2, shapes);
+  const Mesh mesh = curved.View();
+  const ExpansionBuilder values = FieldOf(mesh, 3, [](const LongVec3& x) { return x[2]; });
+  const Field field{ "f", values.View() };
+  const Locator locator(mesh);
+  const FaceTable faces(locator.Index());
+  const auto measure = [&](std::span<const SurfacePatch> patches)
+  {
+    const ContourSet set =
+      TraceContours({ mesh, &field }, patches, locator, faces, { { 0.15 }, 1e-6 });
+    EXPECT_EQ(set.report.uncertified + set.report.undecided + set.report.lost, 0);
+    EXPECT_EQ(set.report.endsInside, 0);
+    double length = 0.0;
+    for (const ContourLine& line : set.lines)
+    {
+      length += Measure(set, line, PolynomialCut(patches[0].surface)).length;
+    }
+    return std::pair(set.lines.size(), length);
+  };
+  std::vector<ImplicitPolynomial> sides;
+  for (int d = 0; d < 3; ++d)
+  {
+    for (const double sense : { -1.0, 1.0 })
+    {
+      Vec3 normal(0.0);
+      normal[d] = sense;
+      sides.push_back(ImplicitPolynomial::Plane(sense * Vec3(0.51, 0.43, 0.37), normal));
+    }
+  }
+  for (const SurfacePatch& face : FacesOfBody(sides))
+  {
+    const auto [lines, length] = measure(std::span(&face, 1));
+    const bool isAcross = face.surface.a.g.z == 0.0;
+    EXPECT_EQ(lines, isAcross ? 1U : 0U);
+    EXPECT_NEAR(length, !isAcross ? 0.0 : face.surface.a.g.x != 0.0 ? 0.86 : 1.02, 1e-9);
+  }
+  const SurfacePatch disc = DiscPatch({ 0.1, -0.05, 0.05 }, { 1.0, 1.0, 0.0 }, 0.5);
+  const auto [lines, length] = measure(std::span(&disc, 1));
+  EXPECT_EQ(lines, 1U);
+  EXPECT_NEAR(length, 2.0 * std::sqrt(0.25 - 0.01), 1e-9);
+}
+
 /// Without a value in a part of space.
 class BrokenCut final : public CutFunction
 {
 public:
-  [[nodiscard]] double Value(const Vec3& x) const override
+  void Values(std::span<const Vec3> x, std::span<double> values) const override
   {
-    return x.x > 0.2 ? std::numeric_limits<double>::infinity() : x.y;
+    std::ranges::transform(x, values.begin(),
+      [](const Vec3& at) { return at.x > 0.2 ? std::numeric_limits<double>::infinity() : at.y; });
   }
-  [[nodiscard]] Vec3 Gradient(const Vec3& /*x*/) const override { return { 0.0, 1.0, 0.0 }; }
+  void Gradients(std::span<const Vec3> /*x*/, std::span<Vec3> gradients) const override
+  {
+    std::ranges::fill(gradients, Vec3(0.0, 1.0, 0.0));
+  }
 };
 
 TEST(Contour, FunctionsThatAreNotFinite)

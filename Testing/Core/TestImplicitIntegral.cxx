@@ -18,22 +18,13 @@ namespace pixelexact::testing
 namespace
 {
 SurfaceIntegral Over(const IntegralCut& cut, const Mesh& mesh, const Field* field, double tolerance,
-  std::span<const QuadricForm> clips = {})
+  std::span<const ImplicitPolynomial> clips = {})
 {
   const Locator locator(mesh);
   const FaceTable faces(locator.Index());
   IntegralEffort effort;
   effort.tolerance = tolerance;
   return IntegrateCut({ mesh, field, &cut, clips }, locator, faces, effort);
-}
-
-QuadricForm BallForm(const Vec3& centre, double radius)
-{
-  QuadricForm form;
-  form.origin = centre;
-  form.q = { 1, 1, 1, 0, 0, 0 };
-  form.c = -radius * radius;
-  return form;
 }
 
 /// A function of the place as a field on a curved mesh, which its space has to hold.
@@ -212,7 +203,7 @@ TEST(Integral, AnIsoSurfaceOfCurvedElements)
     }
     const Field height{ "h", heights.View() };
     const IsoValueSurface iso(height, 0, 0.3);
-    const QuadricSurface plane(PlaneForm({ 1, 1, 1 }, -0.3));
+    const PolynomialSurface plane(PlaneForm({ 1, 1, 1 }, -0.3));
     const SurfaceIntegral one = Over(iso, mesh, &height, 1e-4);
     const SurfaceIntegral other = Over(plane, mesh, &height, 1e-4);
     EXPECT_TRUE(one.met && other.met) << Name(shape);
@@ -259,7 +250,8 @@ TEST(Integral, TheBoundaryValueIsTheBoundary)
 TEST(Integral, Tori)
 {
   const MeshBuilder cube = Cube();
-  const TorusSurface torus({ 0.02, -0.01, 0.03 }, { 0.1, 0.2, 1.0 }, 0.6, 0.25);
+  const PolynomialSurface torus(
+    ImplicitPolynomial::Torus({ 0.02, -0.01, 0.03 }, { 0.1, 0.2, 1.0 }, 0.6, 0.25));
   const SurfaceIntegral found = Over(torus, cube.View(), nullptr, 1e-2);
   EXPECT_TRUE(found.met);
   ExpectHolds(found.sums[0], 4.0 * kPi * kPi * 0.6 * 0.25, 3e-1, "torus");
@@ -270,8 +262,8 @@ TEST(Integral, Tori)
   const Field place{ "x", values.View() };
   ExpectHolds(Over(torus, cube.View(), &place, 1e-2).sums.back(),
     3.0 * 2.0 * kPi * kPi * 0.6 * 0.25 * 0.25, 3e-1, "flux");
-  EXPECT_THROW(TorusSurface(Vec3(0.0), Vec3(0.0), 1.0, 0.5), InvalidData);
-  EXPECT_THROW(TorusSurface(Vec3(0.0), { 0, 0, 1 }, -1.0, 0.5), InvalidData);
+  EXPECT_THROW((void)ImplicitPolynomial::Torus(Vec3(0.0), Vec3(0.0), 1.0, 0.5), InvalidData);
+  EXPECT_THROW((void)ImplicitPolynomial::Torus(Vec3(0.0), { 0, 0, 1 }, -1.0, 0.5), InvalidData);
 }
 
 TEST(Integral, DiscsAndRectangles)
@@ -280,8 +272,8 @@ TEST(Integral, DiscsAndRectangles)
   const ExpansionBuilder values = OnMesh(cube.View(), 2, 1,
     [](const LongVec3& x, int, long double* v) { v[0] = x[0] * x[0] + x[1] * x[1]; });
   const Field field{ "u", values.View() };
-  const QuadricSurface plane(PlaneForm({ 0, 0, 1 }, -0.25));
-  const std::array disc{ BallForm({ 0, 0, 0.25 }, 0.5) };
+  const PolynomialSurface plane(PlaneForm({ 0, 0, 1 }, -0.25));
+  const std::array disc{ ImplicitPolynomial::Sphere({ 0, 0, 0.25 }, 0.5) };
   const SurfaceIntegral round = Over(plane, cube.View(), &field, 1e-7, disc);
   EXPECT_TRUE(round.met);
   ExpectHolds(round.sums[0], kPi / 4.0, 1e-6, "disc");

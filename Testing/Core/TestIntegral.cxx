@@ -20,21 +20,21 @@ namespace pixelexact::testing
 {
 namespace
 {
-QuadricForm Ball(const Vec3& centre, const Vec3& axes)
+ImplicitPolynomial Ball(const Vec3& centre, const Vec3& axes)
 {
-  QuadricForm form;
+  ImplicitPolynomial form;
   form.origin = centre;
-  form.q = { 1.0 / (axes.x * axes.x), 1.0 / (axes.y * axes.y), 1.0 / (axes.z * axes.z), 0, 0, 0 };
-  form.c = -1.0;
+  form.a.q = { 1.0 / (axes.x * axes.x), 1.0 / (axes.y * axes.y), 1.0 / (axes.z * axes.z), 0, 0, 0 };
+  form.a.c = -1.0;
   return form;
 }
 
-SurfaceIntegral Cut(
-  const Mesh& mesh, const Field* field, const QuadricForm& form, const IntegralEffort& effort = {})
+SurfaceIntegral Cut(const Mesh& mesh, const Field* field, const ImplicitPolynomial& form,
+  const IntegralEffort& effort = {})
 {
   const Locator locator(mesh);
   const FaceTable faces(locator.Index());
-  const QuadricSurface surface(form);
+  const PolynomialSurface surface(form);
   return IntegrateCut({ mesh, field, &surface }, locator, faces, effort);
 }
 
@@ -175,9 +175,9 @@ TEST(Integral, QuadricsInACube)
   effort.tolerance = 1e-6;
   ExpectHolds(Cut(mesh, nullptr, Ball({ -1, -1, -1 }, Vec3(1.0)), effort).sums[0], kPi / 2.0, 1e-5,
     "an eighth of a sphere");
-  QuadricForm cylinder;
-  cylinder.q = { 1, 1, 0, 0, 0, 0 };
-  cylinder.c = -0.49;
+  ImplicitPolynomial cylinder;
+  cylinder.a.q = { 1, 1, 0, 0, 0, 0 };
+  cylinder.a.c = -0.49;
   ExpectHolds(
     Cut(mesh, nullptr, cylinder, effort).sums[0], 2.0 * kPi * 0.7 * 2.0, 1e-4, "cylinder");
   // Of a spheroid, a = b = 0.5, c = 0.8.
@@ -263,7 +263,7 @@ long double CountedArea(const Vec3& normal, double c, int rows)
 TEST(Integral, TheBentCubeMeshedInSeveralWays)
 {
   const Vec3 normal{ 1, 1, 1 };
-  const QuadricForm plane = PlaneForm(normal, -0.3);
+  const ImplicitPolynomial plane = PlaneForm(normal, -0.3);
   // Doubling the rows from 200 moves it by 1.5e-4.
   const auto counted = static_cast<double>(CountedArea(normal, -0.3, 400));
   IntegralEffort effort;
@@ -335,7 +335,7 @@ TEST(Integral, MappedFieldsAreThoseOfTheWorld)
   builder.Add(
     UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return Times(2.0L, xi); },
     Vec3(0.0), 2.0);
-  const QuadricForm plane = PlaneForm({ 0, 0, 1 }, -0.5);
+  const ImplicitPolynomial plane = PlaneForm({ 0, 0, 1 }, -0.5);
   const std::pair<Mapping, double> cases[] = { { Mapping::Identity, 1.0 },
     { Mapping::Contravariant, 0.25 }, { Mapping::Covariant, 0.5 } };
   ExpansionBuilder values(3);
@@ -373,7 +373,7 @@ TEST(Integral, ThreadsChangeNothing)
   const CurvedMesh mesh = Blocks(2, kShapes);
   IntegralEffort effort;
   effort.tolerance = 1e-3;
-  const QuadricForm plane = PlaneForm({ 1, 2, 3 }, -0.3);
+  const ImplicitPolynomial plane = PlaneForm({ 1, 2, 3 }, -0.3);
   const SurfaceIntegral all = Cut(mesh.View(), nullptr, plane, effort);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const SurfaceIntegral alone = Cut(mesh.View(), nullptr, plane, effort);
@@ -449,9 +449,9 @@ TEST(Integral, SheetsThatNearlyCoincideAndSmallSpheres)
   const MeshBuilder cube = Cube();
   IntegralEffort effort;
   effort.boxes = 5000;
-  QuadricForm sheets;
-  sheets.q = { 1, 0, 0, 0, 0, 0 };
-  sheets.c = -1e-12;
+  ImplicitPolynomial sheets;
+  sheets.a.q = { 1, 0, 0, 0, 0, 0 };
+  sheets.a.c = -1e-12;
   effort.tolerance = 1e-4;
   const SurfaceIntegral two = Cut(cube.View(), nullptr, sheets, effort);
   EXPECT_TRUE(two.met);

@@ -16,6 +16,7 @@
 #include "vtkSphere.h"
 #include "vtkSuperquadric.h"
 #include "vtkTable.h"
+#include "vtkTransform.h"
 #include "vtkVariant.h"
 
 #include <gtest/gtest.h>
@@ -206,8 +207,18 @@ TEST(IntegrateFilter, BoxesToriAndDiscs)
   torus->SetTubeRadius(0.1);
   Integration ring(Boxes(1), torus);
   ring.filter->SetTolerance(2e-2);
-  EXPECT_NEAR(ring.Get("Area"), 4.0 * std::numbers::pi * std::numbers::pi * 0.03,
-    ring.Get("Area", "ErrorBound"));
+  const double area = 4.0 * std::numbers::pi * std::numbers::pi * 0.03;
+  EXPECT_NEAR(ring.Get("Area"), area, ring.Get("Area", "ErrorBound"));
+
+  // The same by a transform.
+  vtkNew<vtkTransform> toTorus;
+  toTorus->Scale(2.0, 2.0, 2.0);
+  toTorus->Translate(-0.5, -0.5, -0.5);
+  torus->SetCenter(0.0, 0.0, 0.0);
+  torus->SetRadius(0.6);
+  torus->SetTubeRadius(0.2);
+  torus->SetTransform(toTorus);
+  EXPECT_NEAR(ring.Get("Area"), area, ring.Get("Area", "ErrorBound"));
 }
 
 TEST(IntegrateFilter, AnIsoSurface)

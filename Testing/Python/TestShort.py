@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkSphere, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkBox, vtkSphere, vtkUnstructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
@@ -358,6 +358,20 @@ class Contours(unittest.TestCase):
         certified = vtk_to_numpy(lines.GetCellData().GetArray("Certified"))
         self.assertGreater(len(certified), 0)
         self.assertTrue(certified.all())
+
+    def test_lines_on_a_box_end_at_its_edges(self):
+        box = vtkBox()
+        box.SetBounds(-1.0, 1.0, -1.1, 1.2, -0.25, 0.2)
+        lines = pixelexact.contours(TORUS, "u", [0.1, -0.2], surface=box)
+        self.assertTrue(vtk_to_numpy(lines.GetCellData().GetArray("Certified")).all())
+        points = vtk_to_numpy(lines.GetPoints().GetData())
+        self.assertGreater(len(points), 0)
+        off = [abs(box.FunctionValue(point)) for point in points]
+        self.assertLess(max(off), 1e-13)
+
+    def test_lines_elsewhere_are_refused(self):
+        with self.assertRaisesRegex(pixelexact.Error, "traced on planes, .* tori, boxes"):
+            pixelexact.contours(TORUS, "u", [0.1], surface=pixelexact.vtkHighOrderBoundarySurface())
 
 
 class Work(unittest.TestCase):

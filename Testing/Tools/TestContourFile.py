@@ -98,7 +98,7 @@ class ContourFile(ToolTest):
         self.fails(2, *base, *plane, names=["--contours-output", "--contours"])
         self.fails(2, *base, *plane, "--contours", "1,x", names=["--contours", "'1,x'"])
         self.fails(2, *base, *plane, "--contours", "nan", names=["--contours"])
-        self.fails(1, *base, "--boundary", "--contours", "3", names=["--plane", "--torus"])
+        self.fails(1, *base, "--boundary", "--contours", "3", names=["planes", "tori", "boxes"])
         tolerance = ["--contours", "3", "--contours-tolerance"]
         self.fails(2, *base, *plane, *tolerance, "0", names=["--contours-tolerance"])
         self.lines = self.folder / "lines.txt"

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -195,5 +196,50 @@ ContourSet TraceContours(const ContourQuestion& question, const Locator& locator
     AssembleLines(question.mesh, faces, std::move(pieces[v]), v, set);
   }
   return set;
+}
+
+ContourReport& ContourReport::operator+=(const ContourReport& more)
+{
+  for (const auto count : { &ContourReport::elements, &ContourReport::undecided,
+         &ContourReport::pieces, &ContourReport::unproven, &ContourReport::lost,
+         &ContourReport::spent, &ContourReport::touched, &ContourReport::constant,
+         &ContourReport::notFinite, &ContourReport::tooHigh, &ContourReport::endsInside,
+         &ContourReport::ambiguous, &ContourReport::normsOfZero, &ContourReport::uncertified })
+  {
+    this->*count += more.*count;
+  }
+  return *this;
+}
+
+void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all)
+{
+  const auto before = static_cast<std::int64_t>(all.vertices.size());
+  std::ranges::move(more.vertices, std::back_inserter(all.vertices));
+  for (ContourLine& line : more.lines)
+  {
+    line.value += valuesBefore;
+    for (std::int64_t& id : line.vertices)
+    {
+      id += before;
+    }
+    all.lines.push_back(std::move(line));
+  }
+  all.report += more.report;
+}
+
+ContourSet TraceContours(const ContourQuestion& question, std::span<const SurfacePatch> patches,
+  const Locator& locator, const FaceTable& faces, const ContourRequest& request)
+{
+  ContourSet all;
+  for (const SurfacePatch& patch : patches)
+  {
+    const PolynomialCut cut(patch.surface);
+    ContourQuestion part = question;
+    part.cut = &cut;
+    part.clips = patch.clips;
+    Append(TraceContours(part, locator, faces, request), 0, all);
+  }
+  std::ranges::stable_sort(all.lines, {}, &ContourLine::value);
+  return all;
 }
 } // namespace pixelexact

@@ -44,6 +44,8 @@ struct ContourReport
   std::int64_t ambiguous = 0;   ///< ends that meet more than one other
   std::int64_t normsOfZero = 0; ///< values 0 of a norm, which is no line
   std::int64_t uncertified = 0; ///< lines
+
+  ContourReport& operator+=(const ContourReport& more);
 };
 
 struct ContourSet
@@ -68,4 +70,11 @@ struct ContourRequest
 /// Unsupported for a mapped field (H(curl), H(div), density).
 ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
   const FaceTable& faces, const ContourRequest& request);
+/// The same on each of several parts of a surface, in place of the question's cut and clips. Lines
+/// end where their part does.
+ContourSet TraceContours(const ContourQuestion& question, std::span<const SurfacePatch> patches,
+  const Locator& locator, const FaceTable& faces, const ContourRequest& request);
+
+/// Adds other contours, whose values are numbered from `valuesBefore` on.
+void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all);
 } // namespace pixelexact

@@ -14,6 +14,8 @@ struct ContourQuestion
   /// -1: the Euclidean norm of all components, which of a single one is itself, sign and all.
   int component = 0;
   const CutFunction* cut = nullptr;
+  /// The part of the surface that counts: where none of these is positive.
+  std::span<const ImplicitPolynomial> clips{};
 
   [[nodiscard]] bool IsMagnitude() const { return component < 0 && field->values.components > 1; }
   /// The one that is contoured, where that is not the norm.

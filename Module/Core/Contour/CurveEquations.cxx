@@ -4,7 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Bernstein/BoxAlgebra.h"
 #include "Core/Bernstein/TensorPolynomial.h"
-#include "Core/Contour/QuadricPolynomial.h"
+#include "Core/Contour/ElementPolynomial.h"
 #include "Core/Contour/SampledPolynomial.h"
 #include "Core/Element/Ranges.h"
 #include "Core/Location/Sample.h"
@@ -71,17 +71,20 @@ CurveEquations::CurveEquations(const ContourQuestion& question, int element)
     all.push_back({ &Modes, c, Part::Value });
   }
   TheLevel = LevelFor(all);
-  const QuadricForm* quadric = question.cut->Quadric();
-  const int factor = question.cut->Quartic() != nullptr ? 4
-    : quadric != nullptr && quadric->IsPlane()          ? 1
-                                                        : 2;
-  const int ofCut =
-    IsExact() ? std::ranges::max(Map.space.TensorDegree()) * factor : kSampledDegree;
+  const ImplicitPolynomial* const surface = question.cut->Polynomial();
+  const int ofCut = surface != nullptr
+    ? std::ranges::max(Map.space.TensorDegree()) * surface->Degree()
+    : kSampledDegree;
   const int ofField =
     std::ranges::max(Modes.space.TensorDegree()) * (question.IsMagnitude() ? 2 : 1);
   TooHigh = ofCut + ofField > kMaxDegree;
   const Box3 whole{ Vec3(-1.0), Vec3(1.0) };
   MeetsCut = !IsExact() || CutOver(0, whole).Hull().Contains(0.0);
+  for (const ImplicitPolynomial& clip : question.clips)
+  {
+    const BoxPolynomial over = PolynomialOver(question.mesh, element, Map, clip, 0, whole).s;
+    MeetsCut = MeetsCut && !(over.Hull().lower > 0.0);
+  }
   if (MeetsCut)
   {
     Reached = FieldOver(0, whole, 0.0).Hull();
@@ -117,13 +120,9 @@ BoxPolynomial CurveEquations::FieldOver(int level, const Box3& box, double value
 
 BoxPolynomial CurveEquations::CutOver(int level, const Box3& box) const
 {
-  const auto over = [&](const QuadricForm& form)
-  { return QuadricOver(Question.mesh, Element, Map, form, level, box); };
-  if (const QuarticForm* quartic = Question.cut->Quartic())
-  {
-    return QuarticOver(over(quartic->a), over(quartic->b)).s;
-  }
-  return IsExact() ? over(*Question.cut->Quadric()).s : SampledOver(box);
+  const ImplicitPolynomial* const surface = Question.cut->Polynomial();
+  return surface != nullptr ? PolynomialOver(Question.mesh, Element, Map, *surface, level, box).s
+                            : SampledOver(box);
 }
 
 BoxPolynomial CurveEquations::SampledOver(const Box3& box) const

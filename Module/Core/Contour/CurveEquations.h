@@ -22,7 +22,7 @@ struct CurvePolynomials
 };
 
 /// Makes them over parts of one element: of the stored map and field, exactly, up to the errors
-/// that the polynomials carry. A cut-surface that has no polynomial (CutFunction::IsPolynomial) is
+/// that the polynomials carry. A cut-surface that has no polynomial (CutFunction::Polynomial) is
 /// interpolated: what is concluded from its polynomial is not proven.
 class CurveEquations
 {
@@ -33,10 +33,11 @@ public:
   /// Whether all coefficients are finite, and the degrees are such as the root finder takes.
   [[nodiscard]] bool IsFinite() const { return Finite; }
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
-  [[nodiscard]] bool IsExact() const { return Question.cut->IsPolynomial(); }
+  [[nodiscard]] bool IsExact() const { return Question.cut->Polynomial() != nullptr; }
 
   /// Whether the hulls over the whole element leave room for the surface (if it has no polynomial,
   /// they do), and for a value.
+  /// Also for a part of it that no clip of the question cuts off.
   [[nodiscard]] bool MayMeetCut() const { return MeetsCut; }
   [[nodiscard]] bool MayHave(double value) const;
 

@@ -154,19 +154,11 @@ CurvePoint CurveEvaluator::FieldAt(const Vec3& xi)
   const Vec3 centre(
     Question.mesh.centre[3 * e], Question.mesh.centre[3 * e + 1], Question.mesh.centre[3 * e + 2]);
   const Vec3 y(arrays[0][0], arrays[1][0], arrays[2][0]);
-  const auto takeForm = [&](const auto& form, const Vec3& origin)
+  if (const ImplicitPolynomial* const surface = Question.cut->Polynomial())
   {
-    const Vec3 z = (centre - origin) + size * y;
-    point.s = form.ValueAround(z);
-    point.sByXi = form.GradientAround(z) * jacobian;
-  };
-  if (const QuadricForm* quadric = Question.cut->Quadric())
-  {
-    takeForm(*quadric, quadric->origin);
-  }
-  else if (const QuarticForm* quartic = Question.cut->Quartic())
-  {
-    takeForm(*quartic, quartic->a.origin);
+    const Vec3 z = (centre - surface->origin) + size * y;
+    point.s = surface->ValueAround(z);
+    point.sByXi = surface->GradientAround(z) * jacobian;
   }
   else
   {

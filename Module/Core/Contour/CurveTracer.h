@@ -3,6 +3,7 @@
 
 #include "Core/Contour/ContourSeeds.h"
 
+#include <array>
 #include <vector>
 
 namespace pixelexact
@@ -12,8 +13,9 @@ struct CurvePiece
 {
   std::vector<CurvePoint> points; ///< a closed one's last is next to its first, not the same
   bool closed = false;
-  bool lost = false;    ///< an end is no crossing: there it could not be followed
-  bool certain = false; ///< proven: its ends, its course, and that there are no others
+  bool lost = false;             ///< an end is no crossing: there it could not be followed
+  bool certain = false;          ///< proven: its ends, its course, and that there are no others
+  std::array<bool, 2> clipped{}; ///< whether its first and its last point are where a clip ends it
 };
 
 struct TraceLimits

@@ -2,6 +2,7 @@
 #include "Core/Contour/ElementContour.h"
 
 #include "Core/Contour/ArcProof.h"
+#include "Core/Contour/ClippedPieces.h"
 #include "Core/Contour/TouchedLines.h"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ ElementContour TraceElement(const ContourQuestion& question, const CurveEquation
   {
     Prove(equations, evaluator, shape, value, search.seeds, contour.pieces);
   }
+  contour.pieces = ClipPieces(std::move(contour.pieces), question, evaluator, tolerance);
   return contour;
 }
 } // namespace pixelexact

@@ -199,6 +199,10 @@ private:
 
   void CountEnd(std::size_t end)
   {
+    if (Pieces[end / 2].piece.clipped[end % 2])
+    {
+      return;
+    }
     const int element = Pieces[end / 2].element;
     const auto planes = FacePlanesOf(TheMesh.ShapeOf(element));
     bool outside = false;

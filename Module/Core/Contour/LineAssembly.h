@@ -16,8 +16,8 @@ struct PlacedPiece
 
 /// Joins pieces of one value whose ends coincide, within 1e-7 of their elements' sizes, the nearest
 /// first, and appends the lines. Their common points become one vertex, that of the piece which
-/// comes first. Ends that meet none, and are not on a face behind which the mesh ends, are counted
-/// as inside; ends that meet several make their lines uncertified.
+/// comes first. Ends that meet none, and are not on a face behind which the mesh ends or at a clip,
+/// are counted as inside; ends that meet several make their lines uncertified.
 void AssembleLines(const Mesh& mesh, const FaceTable& faces, std::vector<PlacedPiece> pieces,
   std::size_t value, ContourSet& set);
 } // namespace pixelexact

@@ -175,16 +175,16 @@ ChebyshevModel operator-(const ChebyshevModel& a, const ChebyshevModel& b)
   return a + -1.0 * b;
 }
 
-ChebyshevModel operator*(double a, const ChebyshevModel& b)
+ChebyshevModel ChebyshevModel::Times(double factor) const
 {
   ChebyshevModel product;
   double size = 0.0;
-  for (std::size_t i = 0; i < ChebyshevModel::kSize; ++i)
+  for (std::size_t i = 0; i < kSize; ++i)
   {
-    product.c[i] = a * b.c[i];
+    product.c[i] = factor * c[i];
     size += std::fabs(product.c[i]);
   }
-  product.error = Up(std::fabs(a) * b.error + kUnitRoundoff * size);
+  product.error = Up(std::fabs(factor) * error + kUnitRoundoff * size);
   return product;
 }
 

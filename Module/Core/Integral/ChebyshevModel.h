@@ -58,6 +58,10 @@ public:
   [[nodiscard]] ChebyshevModel Polynomial() const;
   /// f(t, s).
   [[nodiscard]] ChebyshevModel Transposed() const;
+  /// By a number that is exact.
+  [[nodiscard]] ChebyshevModel Times(double factor) const;
+  // Found for models alone: numbers times intervals are intervals.
+  friend ChebyshevModel operator*(double a, const ChebyshevModel& b) { return b.Times(a); }
   /// Its derivative by t; where there is an error, nothing is known of it.
   [[nodiscard]] ChebyshevModel ByT() const;
   /// Up to `radius` more.
@@ -67,8 +71,6 @@ public:
 ChebyshevModel operator+(const ChebyshevModel& a, const ChebyshevModel& b);
 ChebyshevModel operator-(const ChebyshevModel& a, const ChebyshevModel& b);
 ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b);
-/// By a number that is exact.
-ChebyshevModel operator*(double a, const ChebyshevModel& b);
 
 /// 1 / f. Its error is infinite where f may vanish, or varies too much for the degree.
 ChebyshevModel Reciprocal(const ChebyshevModel& f);

@@ -2,7 +2,6 @@
 #include "Core/Integral/ElementFunctions.h"
 
 #include "Core/Bernstein/TensorPolynomial.h"
-#include "Core/Contour/QuadricPolynomial.h"
 #include "Core/Contour/SampledPolynomial.h"
 #include "Core/Element/FieldFunction.h"
 #include "Core/Element/LaneBuffer.h"
@@ -68,9 +67,9 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   const auto degreeOf = [](const ScaledModes& modes)
   { return std::ranges::max(modes.space.TensorDegree()); };
   int degree = degreeOf(Map);
-  for (const QuadricForm& clip : question.clips)
+  for (const ImplicitPolynomial& clip : question.clips)
   {
-    TooHigh = TooHigh || (clip.IsPlane() ? 1 : 2) * degree > kMaxDegree;
+    TooHigh = TooHigh || clip.Degree() * degree > kMaxDegree;
   }
   if (ofCut != nullptr)
   {
@@ -181,16 +180,15 @@ Interval ElementFunctions::Shift(const Vec3& origin, int component) const
     Interval(origin[component]);
 }
 
-ScaledCut ElementFunctions::Quadric(const QuadricForm& form, const PieceBox& box)
+ScaledPolynomial ElementFunctions::Over(const ImplicitPolynomial& surface, const PieceBox& box)
 {
-  ScaledQuadric quadric = QuadricOf(TheQuestion.mesh, TheElement, TheRadius, form,
+  return PolynomialOf(TheQuestion.mesh, TheElement, TheRadius, surface,
     { Map3(box, 0), Map3(box, 1), Map3(box, 2) }, true);
-  return { std::move(quadric.s), quadric.unit };
 }
 
 BoxPolynomial ElementFunctions::Cut(const PieceBox& box)
 {
-  ScaledCut cut = TheQuestion.cut->Over(*this, box);
+  ScaledPolynomial cut = TheQuestion.cut->Over(*this, box);
   TheUnit = cut.unit;
   return std::move(cut.s);
 }
@@ -280,7 +278,7 @@ BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component, const
 
 BoxPolynomial ElementFunctions::Clip(const PieceBox& box, std::size_t clip)
 {
-  return Quadric(TheQuestion.clips[clip], box).s;
+  return Over(TheQuestion.clips[clip], box).s;
 }
 
 BoxPolynomial ElementFunctions::CutValues(const PieceBox& box, int component)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Contour/CutFunction.h"
+#include "Core/Contour/ElementPolynomial.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Element/RangeIngredients.h"
 
@@ -21,7 +21,7 @@ struct IntegralQuestion
   const Field* field = nullptr;     ///< null: the area alone
   const IntegralCut* cut = nullptr; ///< null: faces of elements
   /// What of the surface counts: where none of these is positive.
-  std::span<const QuadricForm> clips{};
+  std::span<const ImplicitPolynomial> clips{};
   /// All of what counts is in this box; nothing: it may be anywhere.
   std::optional<Box3> within{};
 
@@ -40,13 +40,6 @@ struct PieceBox
   PieceForm::Piece piece{};
   Vec3 lower{ -1.0 };
   Vec3 upper{ 1.0 };
-};
-
-/// A function S over a part of an element, as a polynomial in eta.
-struct ScaledCut
-{
-  BoxPolynomial s;
-  double unit = 1.0; ///< s is unit times S: a power of two, the same for all of the element
 };
 
 /// The polynomials in eta that integrals over a cut of one element are made of, over boxes.
@@ -89,8 +82,8 @@ public:
 
   /// What clips the surface: some factor times it.
   BoxPolynomial Clip(const PieceBox& box, std::size_t clip);
-  /// A quadric's function.
-  [[nodiscard]] ScaledCut Quadric(const QuadricForm& form, const PieceBox& box);
+  /// A polynomial of the place.
+  [[nodiscard]] ScaledPolynomial Over(const ImplicitPolynomial& surface, const PieceBox& box);
 
   /// A component of the field that the cut-surface is made of, over 2^CutExponent(), and its
   /// derivative by a xi.

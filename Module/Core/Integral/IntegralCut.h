@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Contour/CutFunction.h"
 #include "Core/Integral/BoxModel.h"
 #include "Core/Integral/ElementFunctions.h"
 
@@ -31,7 +30,8 @@ public:
   /// How often S multiplies the map, or the field.
   [[nodiscard]] virtual int Factor() const = 0;
   /// Over a box, made of what the map and the field are there: where S is small so is its error.
-  [[nodiscard]] virtual ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const = 0;
+  [[nodiscard]] virtual ScaledPolynomial Over(
+    ElementFunctions& functions, const PieceBox& box) const = 0;
   /// How far S may be off over a box, because of what is uncertain in the mesh or the field.
   [[nodiscard]] virtual double Uncertainty(
     ElementFunctions& functions, const PieceBox& box) const = 0;
@@ -50,49 +50,28 @@ protected:
   IntegralCut& operator=(const IntegralCut&) = default;
 };
 
-/// A plane or a quadric.
-class QuadricSurface final : public IntegralCut
+/// The zeros of a polynomial of the place.
+class PolynomialSurface final : public IntegralCut
 {
 public:
-  explicit QuadricSurface(const QuadricForm& form)
-    : Form(form)
+  explicit PolynomialSurface(const ImplicitPolynomial& surface)
+    : Polynomial(surface)
   {
   }
-  [[nodiscard]] int Factor() const override { return Form.IsPlane() ? 1 : 2; }
-  [[nodiscard]] ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const override;
+  [[nodiscard]] int Factor() const override { return Polynomial.Degree(); }
+  [[nodiscard]] ScaledPolynomial Over(
+    ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
     const std::array<int, 3>& axes, const PointedModels& place,
     const SurfaceModels& models) const override;
   [[nodiscard]] Interval Stretch(ElementFunctions& functions, const PieceBox& box) const override;
-  /// A line meets a plane once and a quadric twice: at most so often the sum of the sides' areas of
-  /// a box that holds the part. The map is taken to be injective there.
+  /// A line meets the surface at most as often as its degree: at most so often the sum of the
+  /// sides' areas of a box that contains the part. The map is taken to be injective there.
   [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
 
 private:
-  QuadricForm Form;
-};
-
-/// QuarticForm::Torus.
-class TorusSurface final : public IntegralCut
-{
-public:
-  TorusSurface(const Vec3& centre, const Vec3& axis, double R, double r)
-    : Form(QuarticForm::Torus(centre, axis, R, r))
-  {
-  }
-  [[nodiscard]] int Factor() const override { return 4; }
-  [[nodiscard]] ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const override;
-  [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
-  [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
-    const std::array<int, 3>& axes, const PointedModels& place,
-    const SurfaceModels& models) const override;
-  [[nodiscard]] Interval Stretch(ElementFunctions& functions, const PieceBox& box) const override;
-  /// As of a quadric; a line meets a torus four times.
-  [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
-
-private:
-  QuarticForm Form;
+  ImplicitPolynomial Polynomial;
 };
 
 /// Where a component of a field has a value. S is the field's less the value, of a magnitude that
@@ -107,7 +86,8 @@ public:
   IsoValueSurface(const Field& field, int component, double value);
   [[nodiscard]] const Field* MadeOf() const override { return TheField; }
   [[nodiscard]] int Factor() const override { return First == Last ? 1 : 2; }
-  [[nodiscard]] ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const override;
+  [[nodiscard]] ScaledPolynomial Over(
+    ElementFunctions& functions, const PieceBox& box) const override;
   /// What the rounding of the field's coefficients makes of zero.
   [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,

@@ -45,9 +45,9 @@ void CheckSizes(const IntegralQuestion& question)
 {
   const bool isOfPlace = question.cut != nullptr && question.cut->MadeOf() == nullptr;
   int factor = isOfPlace ? question.cut->Factor() : 1;
-  for (const QuadricForm& clip : question.clips)
+  for (const ImplicitPolynomial& clip : question.clips)
   {
-    factor = std::max(factor, clip.IsPlane() ? 1 : 2);
+    factor = std::max(factor, clip.Degree());
   }
   if (factor == 1)
   {

@@ -68,7 +68,7 @@ IsoValueSurface::IsoValueSurface(const Field& field, int component, double value
   }
 }
 
-ScaledCut IsoValueSurface::Over(ElementFunctions& functions, const PieceBox& box) const
+ScaledPolynomial IsoValueSurface::Over(ElementFunctions& functions, const PieceBox& box) const
 {
   const int exponent = functions.CutExponent();
   const Interval value(Scaled(Value, exponent));

@@ -63,7 +63,7 @@ def contours(
     name = field_of(source, field)
     shape = surface_of(surface, _bounds_of(source), normal, origin)
     if not shape.IsA("vtkImplicitFunction"):
-        raise Error("contours: on functions' surfaces alone; cut draws them on the others")
+        raise Error(f"contours: {vtkHighOrderContour.DescribeSurfaces()}; cut draws on all")
     lines = vtkHighOrderContour()
     lines.SetInputData(source)
     lines.SetCutFunction(shape)

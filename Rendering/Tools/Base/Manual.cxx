@@ -4,6 +4,8 @@
 #include "Base/Help.h"
 #include "Base/Settings.h"
 
+#include "Core/Contour/SurfaceAbilities.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -70,6 +72,29 @@ std::string ItemOf(const CLI::App& program, const Setting& row, std::string_view
   text += row.vtk.empty() ? "" : " VTK: " + SettersOf(row) + ".";
   text += row.toolOnly.empty() ? "" : fmt::format(" The tool alone has it: {}.", row.toolOnly);
   return text + "\n";
+}
+
+/// The uses of surfaces, for the page of options.
+std::string SurfaceSection()
+{
+  std::string text = R"(
+## Uses of surfaces
+
+All surfaces are drawn. The program alone integrates over triangles. Degree: that of the polynomial in x; - where there is none.
+
+| surface | option | VTK | degree | certified contour lines | integrals | clips integrals |
+|---|---|---|---|---|---|---|
+)";
+  const auto code = [](const char* name)
+  { return *name == '\0' ? std::string() : fmt::format("`{}`", name); };
+  const auto word = [](bool has) { return has ? "yes" : "no"; };
+  for (const SurfaceAbility& row : SurfaceAbilities())
+  {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", row.plural, code(row.option),
+      code(row.vtkClass), row.degree > 0 ? std::to_string(row.degree) : "-", word(row.lines),
+      word(row.integrals), word(row.clips));
+  }
+  return text;
 }
 } // namespace
 
@@ -140,6 +165,6 @@ std::string OptionsPage(const CLI::App& program)
     }
     text += ItemOf(program, row, commands);
   }
-  return text;
+  return text + SurfaceSection();
 }
 } // namespace pixelexact

@@ -3,98 +3,33 @@
 
 #include "Base/Command.h"
 #include "Base/Options.h"
+#include "Core/Contour/SurfaceAbilities.h"
 #include "Input/TriangleFile.h"
 #include "Surfaces/FunctionOfSurface.h"
-
-#include "Core/Base/Error.h"
-#include "Trace/Surfaces/ConvexBody.h"
-#include "Trace/Surfaces/Disc.h"
-#include "Trace/Surfaces/Torus.h"
-#include "Trace/Surfaces/Triangles.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkImplicitFunction.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
 
 namespace pixelexact
 {
-namespace
-{
-/// A surface that numbers describe.
-struct Kind
-{
-  const char* name;
-  std::function<void(const GivenNumbers& p, IntegralSurface& surface)> make;
-};
-
-void TakeFunction(const Surface& shown, IntegralSurface& surface)
-{
-  surface.function = FunctionOf(shown);
-  surface.pieces = PiecesOf(surface.function);
-}
-
-void TakeDisc(const GivenNumbers& p, IntegralSurface& surface)
-{
-  (void)Disc(VectorAt(p, 0), VectorAt(p, 3), p[6]); // which refuses what is none
-  QuadricForm plane;
-  plane.origin = VectorAt(p, 0);
-  plane.g = VectorAt(p, 3);
-  QuadricForm ball;
-  ball.origin = plane.origin;
-  ball.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
-  ball.c = -p[6] * p[6];
-  const Vec3 reach(p[6] * (1.0 + 1e-12));
-  surface.pieces.push_back({ std::make_shared<QuadricSurface>(plane), { ball },
-    Box3{ plane.origin - reach, plane.origin + reach } });
-}
-
-/// In the order of the help.
-const std::vector<Kind>& Kinds()
-{
-  static const std::vector<Kind> kinds = []
-  {
-    std::vector<Kind> all;
-    all.push_back({ "--disc", TakeDisc });
-    for (const QuadricKind& kind : kQuadricKinds)
-    {
-      all.push_back({ kind.name,
-        [make = kind.make](const GivenNumbers& p, IntegralSurface& surface)
-        { TakeFunction(make(p), surface); } });
-    }
-    all.push_back({ "--torus", [](const GivenNumbers& p, IntegralSurface& surface) {
-                     TakeFunction(Torus(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]), surface);
-                   } });
-    all.push_back({ "--box", [](const GivenNumbers& p, IntegralSurface& surface) {
-                     TakeFunction(MakeBox(VectorAt(p, 0), VectorAt(p, 3)), surface);
-                   } });
-    return all;
-  }();
-  return kinds;
-}
-} // namespace
-
 void IntegralSurfaces::AddTo(CLI::App& command)
 {
   Bind(command, "--plane",
     [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); });
-  for (const Kind& kind : Kinds())
+  for (const NumberedSurface& kind : kNumberedSurfaces)
   {
-    Bind(command, kind.name, Numbers[kind.name]);
+    Bind(command, kind.option, Numbers[kind.option]);
   }
   Bind(command, "--surface", [this](const std::string& file) { Files.push_back(file); });
   Bind(command, "--patch",
     [](const std::string&)
-    {
-      throw UsageError(
-        "--patch: integrals over Bezier patches are not there; give the triangles of "
-        "a file (--surface)");
-    });
+    { throw UsageError("--patch: " + DescribeSurfacesWith(SurfaceUse::Integrals)); });
   Bind(
     command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); });
   Bind(command, "--boundary",
@@ -120,19 +55,17 @@ std::string IntegralSurfaces::NotLinear() const
   return first != std::end(given) ? first->first : "";
 }
 
-std::vector<QuadricForm> IntegralSurfaces::Clips() const
+std::vector<ImplicitPolynomial> IntegralSurfaces::Clips() const
 {
-  std::vector<QuadricForm> clips;
+  std::vector<ImplicitPolynomial> clips;
   for (const GivenNumbers& numbers : HalfSpaces)
   {
-    QuadricForm clip;
-    clip.origin = VectorAt(numbers, 0);
-    clip.g = -VectorAt(numbers, 3);
-    if (clip.g == Vec3(0.0))
+    const Vec3 normal = VectorAt(numbers, 3);
+    if (normal == Vec3(0.0))
     {
       throw UsageError("--clip: the normal is zero; give it a direction");
     }
-    clips.push_back(clip);
+    clips.push_back(ImplicitPolynomial::Plane(VectorAt(numbers, 0), -normal));
   }
   return clips;
 }
@@ -140,38 +73,25 @@ std::vector<QuadricForm> IntegralSurfaces::Clips() const
 std::vector<IntegralSurface> IntegralSurfaces::Make(const Box3& box) const
 {
   std::vector<IntegralSurface> surfaces;
-  const auto addPlane = [&](const PlaneChoice& choice)
+  const auto add = [&surfaces](std::string name, const Surface& surface)
   {
-    surfaces.push_back({ .name = "--plane " + choice.Numbers(box) });
-    TakeFunction(choice.Make(box), surfaces.back());
+    surfaces.push_back({ .name = std::move(name),
+      .patches = IntegralPatchesOf(surface.Implicit()),
+      .function = FunctionOf(surface) });
   };
+  const auto addPlane = [&](const PlaneChoice& choice)
+  { add("--plane " + choice.Numbers(box), choice.Make(box)); };
   std::ranges::for_each(Planes, addPlane);
-  for (const Kind& kind : Kinds())
+  for (const NumberedSurface& kind : kNumberedSurfaces)
   {
-    for (const GivenNumbers& numbers : Numbers.at(kind.name))
+    for (const GivenNumbers& numbers : Numbers.at(kind.option))
     {
-      surfaces.push_back({ .name = fmt::format("{} {}", kind.name, fmt::join(numbers, ",")) });
-      try
-      {
-        kind.make(numbers, surfaces.back());
-      }
-      catch (const Error& error)
-      {
-        throw UsageError(std::string(kind.name) + ": " + error.what());
-      }
+      add(fmt::format("{} {}", kind.option, fmt::join(numbers, ",")), *MakeNumbered(kind, numbers));
     }
   }
   for (const std::string& file : Files)
   {
-    surfaces.push_back({ .name = "--surface " + file });
-    const auto triangles = std::dynamic_pointer_cast<const Triangles>(ReadTriangles(file));
-    for (const Triangles::Triangle& triangle : triangles->Corners())
-    {
-      if (auto piece = TrianglePiece(triangle))
-      {
-        surfaces.back().pieces.push_back(std::move(*piece));
-      }
-    }
+    add("--surface " + file, *ReadTriangles(file));
   }
   for (const IsoText& iso : Isos)
   {

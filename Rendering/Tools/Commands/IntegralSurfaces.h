@@ -3,8 +3,8 @@
 
 #include "Cuts/IntegralPieces.h"
 #include "Scene/MeshSurfaceOptions.h"
+#include "Scene/NumberedSurfaces.h"
 #include "Scene/PlaneOption.h"
-#include "Scene/QuadricKinds.h"
 
 #include <vtkSmartPointer.h>
 
@@ -26,7 +26,7 @@ namespace pixelexact
 struct IntegralSurface
 {
   std::string name; ///< the option, and what it was given
-  std::vector<IntegralPiece> pieces{};
+  std::vector<SurfacePatch> patches{};
   vtkSmartPointer<vtkImplicitFunction> function{}; ///< for VTK's filters; null: they have none
   std::optional<IsoText> iso{};
   bool boundary = false;
@@ -44,7 +44,7 @@ public:
   /// Whether one of them is made of a field.
   [[nodiscard]] bool HasIsoSurfaces() const { return !Isos.empty(); }
   /// What clips all of them.
-  [[nodiscard]] std::vector<QuadricForm> Clips() const;
+  [[nodiscard]] std::vector<ImplicitPolynomial> Clips() const;
   /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface,
   /// Error for files that are not of triangles.
   [[nodiscard]] std::vector<IntegralSurface> Make(const Box3& box) const;

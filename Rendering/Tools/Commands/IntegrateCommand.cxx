@@ -57,24 +57,23 @@ Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Fie
   const HighOrderModel& model = *input.model;
   IntegralQuestion question{ model.GetMesh(), field, nullptr };
   Answer answer{ surface.name, {}, {}, std::nullopt };
-  const std::vector<QuadricForm> clips = options.surfaces.Clips();
-  std::vector<IntegralPiece> pieces = surface.pieces;
+  const std::vector<ImplicitPolynomial> clips = options.surfaces.Clips();
+  question.clips = clips;
   if (surface.iso)
   {
     const IsoChoice iso = Resolve(*surface.iso, model);
-    pieces.push_back(
-      { std::make_shared<IsoValueSurface>(model.GetField(iso.field), iso.component, iso.value), {},
-        std::nullopt });
+    const IsoValueSurface cut(model.GetField(iso.field), iso.component, iso.value);
+    question.cut = &cut;
+    answer.found = IntegrateCut(question, model.GetLocator(), model.Faces(), options.Effort());
+    question.cut = nullptr;
   }
-  if (surface.boundary)
+  else if (surface.boundary)
   {
-    question.clips = clips;
     answer.found = IntegrateBoundary(question, surface.attributes, model, options.Effort());
-    question.clips = {};
   }
   else
   {
-    answer.found = IntegratePieces(question, pieces, clips, model, options.Effort());
+    answer.found = IntegratePatches(question, surface.patches, clips, model, options.Effort());
   }
   answer.rows = RowsOf(question, answer.found);
   if (options.linear >= 0)

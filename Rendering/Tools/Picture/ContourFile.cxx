@@ -9,10 +9,9 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Contour/Contour.h"
+#include "Core/Contour/SurfaceAbilities.h"
 #include "Core/Location/Locator.h"
-#include "Trace/Surfaces/Plane.h"
-#include "Trace/Surfaces/Quadric.h"
-#include "Trace/Surfaces/Torus.h"
+#include "Trace/Surfaces/Triangles.h"
 
 #include "Cuts/ContourPolyData.h"
 
@@ -23,8 +22,6 @@
 #include <vtkPolyData.h>
 
 #include <cmath>
-#include <iterator>
-#include <memory>
 
 namespace pixelexact
 {
@@ -33,51 +30,6 @@ namespace
 static_assert(kMagnitude == -1, "that of a ContourQuestion");
 
 constexpr const char* kOption = "--contours-output";
-
-/// Null for surfaces that have no polynomial.
-std::unique_ptr<const CutFunction> CutOf(const Surface& surface)
-{
-  QuadricForm form;
-  if (const auto* plane = dynamic_cast<const Plane*>(&surface))
-  {
-    form.origin = plane->Point();
-    form.g = plane->Normal({});
-    return std::make_unique<QuadricCut>(form);
-  }
-  if (const auto* quadric = dynamic_cast<const Quadric*>(&surface))
-  {
-    const QuadraticForm& given = quadric->GetForm();
-    form.origin = given.centre;
-    for (std::size_t i = 0; i < 6; ++i)
-    {
-      form.q[i] = (i < 3 ? 1.0 : 2.0) * given.Q[i].high;
-    }
-    form.g = 2.0 * Vec3(given.b[0].high, given.b[1].high, given.b[2].high);
-    form.c = given.k.high;
-    return std::make_unique<QuadricCut>(form);
-  }
-  if (const auto* torus = dynamic_cast<const Torus*>(&surface))
-  {
-    return std::make_unique<TorusCut>(
-      torus->Centre(), torus->AxisDirection(), torus->Radius(), torus->Tube());
-  }
-  return nullptr;
-}
-
-void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all)
-{
-  const auto before = static_cast<std::int64_t>(all.vertices.size());
-  std::ranges::move(more.vertices, std::back_inserter(all.vertices));
-  for (ContourLine& line : more.lines)
-  {
-    line.value += valuesBefore;
-    for (std::int64_t& id : line.vertices)
-    {
-      id += before;
-    }
-    all.lines.push_back(std::move(line));
-  }
-}
 } // namespace
 
 void ContourFileOptions::AddTo(CLI::App& added)
@@ -103,11 +55,10 @@ void CheckContourSurfaces(const Shot& shot)
     {
       throw Error(std::string(kOption) + ": there is no field to contour; leave it out");
     }
-    if (!CutOf(*layer.surface))
+    const bool isTriangles = dynamic_cast<const Triangles*>(layer.surface.get()) != nullptr;
+    if (isTriangles || layer.surface->Implicit().empty())
     {
-      throw Unsupported(std::string(kOption) +
-        ": contours are written for --plane, --sphere, --cylinder, --cone, --quadric and "
-        "--torus; leave out other surfaces");
+      throw Unsupported(std::string(kOption) + ": " + DescribeSurfacesWith(SurfaceUse::Lines));
     }
   }
 }
@@ -117,9 +68,8 @@ ContourSet ContoursOfLayer(
 {
   const HighOrderModel& model = *shot.input.model;
   const Layer& of = shot.scene.layers[layer];
-  const auto cut = CutOf(*of.surface);
-  return TraceContours({ model.GetMesh(), of.field, of.component, cut.get() }, *shot.scene.locator,
-    model.Faces(), { values, tolerance });
+  return TraceContours({ model.GetMesh(), of.field, of.component }, of.surface->Implicit(),
+    *shot.scene.locator, model.Faces(), { values, tolerance });
 }
 
 void WriteContours(const ContourFileOptions& options, const Shot& shot,

@@ -26,8 +26,8 @@ struct ContourFileOptions
   void AddTo(CLI::App& added);
 };
 
-/// Throws Error, naming the option and the remedy, for a shot with a surface that is no plane and
-/// no quadric, or without a field.
+/// Throws Error, naming the option and the remedy, for a shot with a surface that has no
+/// polynomial, or without a field.
 void CheckContourSurfaces(const Shot& shot);
 
 /// The contours of a layer that CheckContourSurfaces takes, of these values.

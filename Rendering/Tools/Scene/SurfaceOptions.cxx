@@ -6,16 +6,12 @@
 #include "Input/PatchFile.h"
 #include "Input/TriangleFile.h"
 #include "Scene/Model.h"
-#include "Scene/QuadricKinds.h"
+#include "Scene/NumberedSurfaces.h"
 
 #include "Core/Base/Error.h"
 #include "Surfaces/VtkPatches.h"
-#include "Trace/Surfaces/ConvexBody.h"
-#include "Trace/Surfaces/Disc.h"
-#include "Trace/Surfaces/Torus.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -24,38 +20,6 @@ namespace pixelexact
 {
 namespace
 {
-/// A surface that numbers describe.
-struct Kind
-{
-  const char* name;
-  std::function<std::shared_ptr<const Surface>(const GivenNumbers& p)> make;
-};
-
-/// In the order of the help.
-const std::vector<Kind>& Kinds()
-{
-  static const std::vector<Kind> kinds = []
-  {
-    std::vector<Kind> all;
-    all.push_back({ "--disc", [](const GivenNumbers& p) {
-                     return std::make_shared<Disc>(VectorAt(p, 0), VectorAt(p, 3), p[6]);
-                   } });
-    for (const QuadricKind& kind : kQuadricKinds)
-    {
-      all.push_back({ kind.name,
-        [make = kind.make](const GivenNumbers& p) { return std::make_shared<Quadric>(make(p)); } });
-    }
-    all.push_back({ "--torus", [](const GivenNumbers& p) {
-                     return std::make_shared<Torus>(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]);
-                   } });
-    all.push_back({ "--box", [](const GivenNumbers& p) {
-                     return std::make_shared<ConvexBody>(MakeBox(VectorAt(p, 0), VectorAt(p, 3)));
-                   } });
-    return all;
-  }();
-  return kinds;
-}
-
 /// A surface that is there, whatever the mesh.
 GivenSurface Made(std::shared_ptr<const Surface> surface)
 {
@@ -85,9 +49,9 @@ void SurfaceOptions::AddTo(CLI::App& command)
 {
   Bind(command, "--plane",
     [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); });
-  for (const Kind& kind : Kinds())
+  for (const NumberedSurface& kind : kNumberedSurfaces)
   {
-    Bind(command, kind.name, Numbers[kind.name]);
+    Bind(command, kind.option, Numbers[kind.option]);
   }
   Bind(command, "--surface", [this](const std::string& file) { Files.push_back(file); });
   Bind(command, "--patch", [this](const std::string& file) { Patches.push_back(file); });
@@ -100,12 +64,12 @@ void SurfaceOptions::AddTo(CLI::App& command)
 
 SurfaceOptions::Described SurfaceOptions::First() const
 {
-  for (const Kind& kind : Kinds())
+  for (const NumberedSurface& kind : kNumberedSurfaces)
   {
-    const auto found = Planes.empty() ? Numbers.find(kind.name) : Numbers.end();
+    const auto found = Planes.empty() ? Numbers.find(kind.option) : Numbers.end();
     if (found != Numbers.end() && !found->second.empty())
     {
-      return { kind.name, found->second.front() };
+      return { kind.option, found->second.front() };
     }
   }
   return {};
@@ -144,18 +108,11 @@ std::vector<GivenSurface> SurfaceOptions::MakeInSpace() const
   {
     add(PlaneChoice::ThroughTheMiddle());
   }
-  for (const Kind& kind : Kinds())
+  for (const NumberedSurface& kind : kNumberedSurfaces)
   {
-    for (const GivenNumbers& numbers : Numbers.at(kind.name))
+    for (const GivenNumbers& numbers : Numbers.at(kind.option))
     {
-      try
-      {
-        surfaces.push_back(Made(kind.make(numbers)));
-      }
-      catch (const Error& error)
-      {
-        throw UsageError(std::string(kind.name) + ": " + error.what());
-      }
+      surfaces.push_back(Made(MakeNumbered(kind, numbers)));
     }
   }
   for (const std::string& file : Files)

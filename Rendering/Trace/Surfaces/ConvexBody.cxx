@@ -175,4 +175,14 @@ ConvexBody MakeBox(const Vec3& lower, const Vec3& upper, const AffineMap& toFunc
   }
   return ConvexBody(sides, toFunction, "box");
 }
+
+std::vector<SurfacePatch> ConvexBody::Implicit() const
+{
+  std::vector<ImplicitPolynomial> planes;
+  for (const ConvexFace& face : Faces)
+  {
+    planes.push_back(ImplicitPolynomial::Plane(face.point, face.normal));
+  }
+  return FacesOfBody(planes);
+}
 } // namespace pixelexact

@@ -42,6 +42,7 @@ public:
   [[nodiscard]] bool HasSagitta() const override { return true; }
   [[nodiscard]] double Reach(const Chord& chord) const override;
   [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
+  [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
 
 private:
   std::vector<ConvexFace> Faces;

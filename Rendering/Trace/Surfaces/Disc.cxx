@@ -9,7 +9,7 @@ namespace pixelexact
 Disc::Disc(const Vec3& centre, const Vec3& normal, double radius)
   : Centre(centre)
   , UnitNormal(0.0)
-  , SquaredRadius(radius * radius)
+  , Radius(radius)
 {
   CheckPosition(centre, "disc");
   UnitNormal = UnitDirection(ScaledDirection(normal, "disc", "normal"));
@@ -29,12 +29,17 @@ void Disc::Meet(const RayLanes& rays, HitSlots& hits) const
       squared += off * off;
     }
     // Where the plane is not met the position may be NaN.
-    slot.t[i] = squared <= SquaredRadius ? slot.t[i] : kNoHit;
+    slot.t[i] = squared <= Radius * Radius ? slot.t[i] : kNoHit;
   }
 }
 
 Vec3 Disc::Normal(const SurfacePoint& /*point*/) const
 {
   return UnitNormal;
+}
+
+std::vector<SurfacePatch> Disc::Implicit() const
+{
+  return { DiscPatch(Centre, UnitNormal, Radius) };
 }
 } // namespace pixelexact

@@ -20,10 +20,11 @@ public:
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
   [[nodiscard]] bool IsFlat() const override { return true; }
+  [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
 
 private:
   Vec3 Centre;
   Vec3 UnitNormal;
-  double SquaredRadius;
+  double Radius;
 };
 } // namespace pixelexact

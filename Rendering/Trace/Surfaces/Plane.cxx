@@ -59,4 +59,9 @@ Vec3 Plane::Normal(const SurfacePoint& /*point*/) const
 {
   return UnitNormal;
 }
+
+std::vector<SurfacePatch> Plane::Implicit() const
+{
+  return { { ImplicitPolynomial::Plane(Origin, UnitNormal) } };
+}
 } // namespace pixelexact

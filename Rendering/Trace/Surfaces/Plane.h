@@ -19,6 +19,7 @@ public:
   [[nodiscard]] bool IsPlane() const override { return true; }
   [[nodiscard]] double Reach(const Chord& chord) const override;
   [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
+  [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
   /// One of its points.
   [[nodiscard]] const Vec3& Point() const { return Origin; }
 

@@ -335,4 +335,17 @@ Quadric MakeQuadric(const std::array<double, 10>& a, const AffineMap& toFunction
   form.k = scaled(9, 0);
   return Quadric(form, toFunction);
 }
+
+std::vector<SurfacePatch> Quadric::Implicit() const
+{
+  ImplicitPolynomial polynomial;
+  polynomial.origin = Form.centre;
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    polynomial.a.q[i] = (i < 3 ? 1.0 : 2.0) * Form.Q[i].high;
+  }
+  polynomial.a.g = 2.0 * Vec3(Form.b[0].high, Form.b[1].high, Form.b[2].high);
+  polynomial.a.c = Form.k.high;
+  return { { polynomial } };
+}
 } // namespace pixelexact

@@ -37,6 +37,7 @@ public:
   [[nodiscard]] bool HasSagitta() const override { return true; }
   [[nodiscard]] double Reach(const Chord& chord) const override;
   [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
+  [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
 
   /// Its equation, times some power of two.
   [[nodiscard]] const QuadraticForm& GetForm() const { return Form; }

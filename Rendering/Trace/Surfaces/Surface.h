@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Contour/ImplicitPolynomial.h"
 #include "Core/Questions/Outline.h"
 #include "Trace/Camera.h"
 #include "Trace/Rays.h"
@@ -79,6 +80,10 @@ public:
   /// The value of a component (or kMagnitude) of a field on all of the surface, where that is the
   /// same by what the surface is.
   [[nodiscard]] virtual std::optional<double> HeldValue(const Field& field, int component) const;
+
+  /// The surface as zeros of polynomials, part by part, with which contour lines and integrals are
+  /// proven; none where there are no such polynomials. Coefficients are rounded to doubles.
+  [[nodiscard]] virtual std::vector<SurfacePatch> Implicit() const { return {}; }
 
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).

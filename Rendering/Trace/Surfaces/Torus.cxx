@@ -73,4 +73,9 @@ Vec3 Torus::Normal(const SurfacePoint& point) const
   const Vec3 normal = across * (along / distance) + height * Axis;
   return LargestOf(normal) > 0.0 ? UnitDirection(normal) : Axis;
 }
+
+std::vector<SurfacePatch> Torus::Implicit() const
+{
+  return { { ImplicitPolynomial::Torus(Form.centre, Axis, CircleRadius, TubeRadius) } };
+}
 } // namespace pixelexact

@@ -322,4 +322,17 @@ Vec3 Triangles::Normal(const SurfacePoint& point) const
 {
   return NormalOfEach[static_cast<std::size_t>(point.piece)];
 }
+
+std::vector<SurfacePatch> Triangles::Implicit() const
+{
+  std::vector<SurfacePatch> patches;
+  for (const Triangle& triangle : All)
+  {
+    if (auto patch = TrianglePatch(triangle))
+    {
+      patches.push_back(std::move(*patch));
+    }
+  }
+  return patches;
+}
 } // namespace pixelexact

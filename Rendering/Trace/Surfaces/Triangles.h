@@ -40,6 +40,7 @@ public:
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override { return true; }
+  [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
 
   [[nodiscard]] const std::vector<Triangle>& Corners() const { return All; }
   [[nodiscard]] const Box3& Bounds() const { return TheBounds; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Contour/QuadricPolynomial.h"
+#include "Core/Contour/ElementPolynomial.h"
 
 #include "Core/Bernstein/BoxAlgebra.h"
 
@@ -11,69 +11,33 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the coordinates in QuadricForm::q.
-constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
-  { 0, 1 }, { 1, 2 }, { 0, 2 } } };
-
-/// The gradient at z.
-std::array<Interval, 3> GradientAt(const QuadricForm& form, const std::array<Interval, 3>& z)
-{
-  std::array<Interval, 3> gradient{ form.g.x, form.g.y, form.g.z };
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    const auto [a, b] = kPairs[k];
-    gradient[a] += Interval(form.q[k]) * z[b];
-    gradient[b] += Interval(form.q[k]) * z[a];
-  }
-  return gradient;
-}
-
 /// A power of two that brings S to about 1 over an element about `centre`.
-double UnitOf(const QuadricForm& form, const std::array<Interval, 3>& centre, double radius)
+double UnitOf(
+  const QuadraticPolynomial& form, const std::array<Interval, 3>& centre, double radius)
 {
   double largest = 0.0;
   for (const double q : form.q)
   {
     largest = std::max(largest, std::fabs(radius * radius * q));
   }
-  for (const Interval& one : GradientAt(form, centre))
+  for (const Interval& one : form.GradientAt(centre))
   {
     largest = std::max(largest, radius * one.Magnitude());
   }
   return largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
 }
-} // namespace
 
-BoxPolynomial ValuesOver(const ScaledModes& modes, int component, int level, const Box3& box)
-{
-  const PieceForm::Piece piece = PieceAt(box, level);
-  return RangeIngredient{ &modes, component, Part::Value }.Over(
-    level, piece, PartInPiece(box, level, piece));
-}
-
-ScaledQuadric QuadricOver(const Mesh& mesh, int element, const ScaledModes& map,
-  const QuadricForm& form, int level, const Box3& box)
-{
-  const double radius = std::ldexp(mesh.size[static_cast<std::size_t>(element)], map.exponent);
-  return QuadricOf(mesh, element, radius, form,
-    { ValuesOver(map, 0, level, box), ValuesOver(map, 1, level, box),
-      ValuesOver(map, 2, level, box) },
-    false);
-}
-
-ScaledQuadric QuadricOf(const Mesh& mesh, int element, double radius, const QuadricForm& form,
-  std::array<BoxPolynomial, 3> y, bool isLocal)
+/// A quadratic polynomial in z = x - origin over a box. `centre`: z at the element's centre.
+ScaledPolynomial QuadraticOf(const std::array<Interval, 3>& centre, double radius,
+  const QuadraticPolynomial& form, std::array<BoxPolynomial, 3> y, bool isLocal)
 {
   // z = m + r y, m a point of the box's image and r a power of two:
   // S = r^2 y Q y + r (2 Q m + g) y + S(m).
-  const auto e = static_cast<std::size_t>(element);
   const double r = radius;
-  std::array<Interval, 3> centre;
-  std::array<Interval, 3> m;
+  constexpr auto kPairs = QuadraticPolynomial::kPairs;
+  std::array<Interval, 3> m = centre;
   for (std::size_t d = 0; d < 3; ++d)
   {
-    centre[d] = Interval(mesh.centre[3 * e + d]) - Interval(form.origin[static_cast<int>(d)]);
-    m[d] = centre[d];
     if (isLocal)
     {
       const double middle = 0.5 * (y[d].b.front() + y[d].b.back());
@@ -82,7 +46,7 @@ ScaledQuadric QuadricOf(const Mesh& mesh, int element, double radius, const Quad
     }
   }
   const double unit = UnitOf(form, centre, r);
-  const std::array<Interval, 3> linear = GradientAt(form, m);
+  const std::array<Interval, 3> linear = form.GradientAt(m);
   Interval constant = form.c;
   for (std::size_t d = 0; d < 3; ++d)
   {
@@ -103,7 +67,7 @@ ScaledQuadric QuadricOf(const Mesh& mesh, int element, double radius, const Quad
     s.error = rounding::Above(
       s.error + rounding::Above(factor.RadiusAround(middle) * y[d].Hull().Magnitude()));
   }
-  if (!form.IsPlane())
+  if (!form.IsLinear())
   {
     const BoxPolynomial one{ s.degree, std::vector<double>(s.b.size(), 1.0), 0.0 };
     s = Multiply(s, one);
@@ -123,9 +87,40 @@ ScaledQuadric QuadricOf(const Mesh& mesh, int element, double radius, const Quad
   Add(constant * Interval(unit), s);
   return { std::move(s), unit };
 }
+} // namespace
 
-ScaledQuadric QuarticOver(const ScaledQuadric& a, const ScaledQuadric& b)
+BoxPolynomial ValuesOver(const ScaledModes& modes, int component, int level, const Box3& box)
 {
+  const PieceForm::Piece piece = PieceAt(box, level);
+  return RangeIngredient{ &modes, component, Part::Value }.Over(
+    level, piece, PartInPiece(box, level, piece));
+}
+
+ScaledPolynomial PolynomialOver(const Mesh& mesh, int element, const ScaledModes& map,
+  const ImplicitPolynomial& surface, int level, const Box3& box)
+{
+  const double radius = std::ldexp(mesh.size[static_cast<std::size_t>(element)], map.exponent);
+  return PolynomialOf(mesh, element, radius, surface,
+    { ValuesOver(map, 0, level, box), ValuesOver(map, 1, level, box),
+      ValuesOver(map, 2, level, box) },
+    false);
+}
+
+ScaledPolynomial PolynomialOf(const Mesh& mesh, int element, double radius,
+  const ImplicitPolynomial& surface, std::array<BoxPolynomial, 3> y, bool isLocal)
+{
+  std::array<Interval, 3> centre;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    centre[d] = Interval(mesh.centre[3 * static_cast<std::size_t>(element) + d]) -
+      Interval(surface.origin[static_cast<int>(d)]);
+  }
+  if (!surface.b)
+  {
+    return QuadraticOf(centre, radius, surface.a, std::move(y), isLocal);
+  }
+  const ScaledPolynomial a = QuadraticOf(centre, radius, surface.a, y, isLocal);
+  const ScaledPolynomial b = QuadraticOf(centre, radius, *surface.b, std::move(y), isLocal);
   const double unit = a.unit * a.unit;
   const BoxPolynomial one{ b.s.degree, std::vector<double>(b.s.b.size(), 1.0), 0.0 };
   return { Combine(1.0, Multiply(a.s, a.s), -unit / b.unit, Multiply(b.s, one)), unit };

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "Core/Math/Vec.h"
-#include "Trace/Surfaces/Quadric.h"
+#include "Trace/Surfaces/Surface.h"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace pixelexact
@@ -19,13 +20,17 @@ inline Vec3 VectorAt(const GivenNumbers& numbers, std::size_t first)
   return { numbers[first], numbers[first + 1], numbers[first + 2] };
 }
 
-/// A quadric that an option's numbers describe.
-struct QuadricKind
+/// A surface that an option's numbers describe.
+struct NumberedSurface
 {
-  const char* name;
+  const char* option;
   /// Throws Error for numbers of which there is none.
-  Quadric (*make)(const GivenNumbers& numbers);
+  std::shared_ptr<const Surface> (*make)(const GivenNumbers& numbers);
 };
 /// In the order of the help.
-extern const std::array<QuadricKind, 4> kQuadricKinds;
+extern const std::array<NumberedSurface, 7> kNumberedSurfaces;
+
+/// Throws UsageError, which begins with the option, for numbers that describe no surface.
+std::shared_ptr<const Surface> MakeNumbered(
+  const NumberedSurface& kind, const GivenNumbers& numbers);
 } // namespace pixelexact
