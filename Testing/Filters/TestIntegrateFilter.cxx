@@ -207,8 +207,8 @@ TEST(IntegrateFilter, BoxesToriAndDiscs)
   torus->SetTubeRadius(0.1);
   Integration ring(Boxes(1), torus);
   ring.filter->SetTolerance(2e-2);
-  const double area = 4.0 * std::numbers::pi * std::numbers::pi * 0.03;
-  EXPECT_NEAR(ring.Get("Area"), area, ring.Get("Area", "ErrorBound"));
+  const double ofTorus = 4.0 * std::numbers::pi * std::numbers::pi * 0.03;
+  EXPECT_NEAR(ring.Get("Area"), ofTorus, ring.Get("Area", "ErrorBound"));
 
   // The same by a transform.
   vtkNew<vtkTransform> toTorus;
@@ -218,7 +218,7 @@ TEST(IntegrateFilter, BoxesToriAndDiscs)
   torus->SetRadius(0.6);
   torus->SetTubeRadius(0.2);
   torus->SetTransform(toTorus);
-  EXPECT_NEAR(ring.Get("Area"), area, ring.Get("Area", "ErrorBound"));
+  EXPECT_NEAR(ring.Get("Area"), ofTorus, ring.Get("Area", "ErrorBound"));
 }
 
 TEST(IntegrateFilter, AnIsoSurface)
