@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Kernels.h"
+
+#include <memory>
 
 namespace pixelexact
 {
@@ -56,5 +59,17 @@ public:
   /// are (EncloseValues); everything where nothing is proven.
   virtual void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,
     const BoundArrays& values) const = 0;
+
+  /// All components together, as their Euclidean norm.
+  static constexpr int kNorm = -1;
+  /// A component, or the norm, over boxes of an element's eta. The mesh's arrays must outlive it.
+  [[nodiscard]] virtual std::unique_ptr<ElementQuantity> OnElement(
+    const Mesh& mesh, int element, int component) const = 0;
+  /// Whether JetOnElement tells anything: not of jumps, of normals, and of what has no gradient.
+  [[nodiscard]] virtual bool HasJets() const = 0;
+  /// The same with its gradient; null where there is none. `coordinateErrors`: how far points are
+  /// off the images of their xi, in world units.
+  [[nodiscard]] virtual std::unique_ptr<ElementJet> JetOnElement(
+    const Mesh& mesh, int element, int component, const Vec3& coordinateErrors) const = 0;
 };
 } // namespace pixelexact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Element/HessianFunction.h"
 
+#include "Core/Bernstein/BoxAlgebra.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Math/Rounding.h"
 
@@ -18,39 +19,6 @@ constexpr std::size_t kE1 = kSecond + 4 * 6;
 constexpr std::size_t kE2 = kE1 + 1;
 constexpr std::size_t kH2 = kE2 + 1;
 constexpr std::size_t kH3 = kH2 + 1;
-
-/// The symmetric matrix of second derivatives by xi: 11, 12, 13, 22, 23, 33.
-std::array<Interval, 6> ByXi(Shape shape, std::span<const Interval> p, std::size_t function,
-  const Interval& r3, const Interval& r23)
-{
-  const auto second = p.subspan(kSecond + 6 * function, 6);
-  const auto over = [](const Interval& v, const Interval& r, bool divided)
-  { return divided ? v * r : v; };
-  const bool curved1 = shape != Shape::Hexahedron;
-  const bool curved2 = HessianFunction::IsDivided(shape, 1, 2);
-  std::array<Interval, 6> result;
-  result[0] = over(second[0], r23, curved1);
-  result[1] = over(second[1], r23, curved1);
-  result[2] = over(second[3], r23, curved1);
-  result[3] = over(second[2], r3, curved2);
-  const Interval by2 = over(second[4], r3, curved2);
-  result[4] = by2;
-  result[5] = second[5];
-  if (shape == Shape::Tetrahedron)
-  {
-    result[3] = result[3] + p[kE1] * result[1];
-    result[4] = result[4] + p[kE1] * result[2];
-  }
-  if (curved1)
-  {
-    result[5] = result[5] + p[kE1] * result[2];
-  }
-  if (curved2)
-  {
-    result[5] = result[5] + p[kE2] * by2;
-  }
-  return result;
-}
 
 constexpr Box3 kWholePiece{ Vec3(-1.0), Vec3(1.0) };
 
@@ -163,6 +131,64 @@ void AddSeconds(Shape shape, const std::array<BoxPolynomial, 3>& slopes, int lev
   }
 }
 
+BoxPolynomial Raised(const BoxPolynomial& f, const Degrees& degree)
+{
+  BoxPolynomial raised{ degree, std::vector<double>(CoefficientCount(degree)), 0.0 };
+  Elevate(f.degree, degree, f.b, raised.b);
+  raised.error = f.error + ElevationError(degree, LargestMagnitude(f.b));
+  return raised;
+}
+
+BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g)
+{
+  Degrees degree;
+  std::ranges::transform(
+    f.degree, g.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+  return Combine(1.0, Raised(f, degree), 1.0, Raised(g, degree));
+}
+
+/// Whether all divisions by h are of coefficients.
+bool IsExact(Shape shape, int level, const PieceForm::Piece& piece)
+{
+  const auto isFine = [&](int direction)
+  {
+    return !HessianFunction::IsDivided(shape, 0, direction) ||
+      IsExact(shape, direction, level, piece);
+  };
+  return shape != Shape::Pyramid && isFine(1) && isFine(2);
+}
+
+/// The derivatives by xi of a polynomial in xi, where IsExact.
+std::array<BoxPolynomial, 3> ByXi(
+  Shape shape, const BoxPolynomial& f, int level, const PieceForm::Piece& piece)
+{
+  const auto byEta = [&](int derivative)
+  {
+    BoxPolynomial by = Differentiate(f, derivative, level);
+    for (const int direction : { 1, 2 })
+    {
+      by = HessianFunction::IsDivided(shape, derivative, direction)
+        ? DivideByH(by, direction, level)
+        : by;
+    }
+    return by;
+  };
+  std::array<BoxPolynomial, 3> result{ byEta(0), byEta(1), byEta(2) };
+  const BoxPolynomial first = result[0];
+  const BoxPolynomial second = result[1];
+  const BoxPolynomial e1 = Linear(0, 1.0, level, piece[0]);
+  if (shape == Shape::Tetrahedron)
+  {
+    result[1] = Sum(second, Multiply(e1, first));
+    result[2] = Sum(result[2], Multiply(Linear(1, 1.0, level, piece[1]), second));
+  }
+  if (shape != Shape::Hexahedron)
+  {
+    result[2] = Sum(result[2], Multiply(e1, first));
+  }
+  return result;
+}
+
 /// What is left to divide by: h, or 1.
 BoxPolynomial Divisor(Shape shape, int direction, int level, const PieceForm::Piece& piece)
 {
@@ -214,6 +240,29 @@ std::vector<BoxPolynomial> HessianFunction::Polynomials(const ScaledModes& map,
   return list;
 }
 
+std::vector<BoxPolynomial> HessianFunction::Thirds(
+  const ScaledModes& modes, int component, int level, const PieceForm::Piece& piece)
+{
+  const Shape shape = modes.space.shape;
+  if (!IsExact(shape, level, piece))
+  {
+    return std::vector<BoxPolynomial>(10, { {}, { 0.0 }, kInfinity });
+  }
+  std::vector<BoxPolynomial> thirds;
+  for (int j = 0; j < 3; ++j)
+  {
+    const BoxPolynomial slope =
+      RangeIngredient{ &modes, component, kDerivatives[j] }.Over(level, piece, kWholePiece);
+    const auto seconds = ByXi(shape, slope, level, piece);
+    for (int k = j; k < 3; ++k)
+    {
+      auto byXi = ByXi(shape, seconds[static_cast<std::size_t>(k)], level, piece);
+      std::move(byXi.begin() + k, byXi.end(), std::back_inserter(thirds));
+    }
+  }
+  return thirds;
+}
+
 std::array<HessianFunction::XiRanges, 4> HessianFunction::RangesByXi(
   Shape shape, std::span<const Interval> hulls)
 {
@@ -223,7 +272,8 @@ std::array<HessianFunction::XiRanges, 4> HessianFunction::RangesByXi(
   for (std::size_t f = 0; f < 4; ++f)
   {
     std::copy_n(hulls.begin() + static_cast<std::ptrdiff_t>(3 * f), 3, ranges[f].first.begin());
-    ranges[f].second = ByXi(shape, hulls, f, r3, r23);
+    ranges[f].second = SecondsByXi<Interval>(
+      shape, hulls.subspan(kSecond + 6 * f).first<6>(), hulls[kE1], hulls[kE2], r3, r23);
   }
   return ranges;
 }

@@ -44,7 +44,46 @@ public:
   [[nodiscard]] static std::array<XiRanges, 4> RangesByXi(
     Shape shape, std::span<const Interval> hulls);
 
+  /// The second derivatives by xi, 11, 12, 13, 22, 23, 33, of a function, by the chain rule from
+  /// the six derivatives of its slopes by eta, e1, e2, 1 / h3 and 1 / (h2 h3) (1 / h3 but of
+  /// tetrahedra).
+  template <class T>
+  [[nodiscard]] static std::array<T, 6> SecondsByXi(Shape shape, std::span<const T, 6> byEta,
+    const T& e1, const T& e2, const T& overH3, const T& overH23);
+
+  /// The third derivatives by xi, 111, 112, 113, 122, 123, 133, 222, 223, 233, 333, of a component
+  /// over a piece, as polynomials. Their errors are infinite on pyramids and on pieces that do not
+  /// end where h = 0, on which division by h is none of coefficients.
+  [[nodiscard]] static std::vector<BoxPolynomial> Thirds(
+    const ScaledModes& modes, int component, int level, const PieceForm::Piece& piece);
+
   /// Whether a derivative by eta_derivative is divided by h of a direction.
   [[nodiscard]] static bool IsDivided(Shape shape, int derivative, int direction);
 };
+
+template <class T>
+std::array<T, 6> HessianFunction::SecondsByXi(Shape shape, std::span<const T, 6> byEta, const T& e1,
+  const T& e2, const T& overH3, const T& overH23)
+{
+  const auto over = [](const T& v, const T& r, bool divided) { return divided ? v * r : v; };
+  const bool curved1 = shape != Shape::Hexahedron;
+  const bool curved2 = IsDivided(shape, 1, 2);
+  const T by2 = over(byEta[4], overH3, curved2);
+  std::array<T, 6> result{ over(byEta[0], overH23, curved1), over(byEta[1], overH23, curved1),
+    over(byEta[3], overH23, curved1), over(byEta[2], overH3, curved2), by2, byEta[5] };
+  if (shape == Shape::Tetrahedron)
+  {
+    result[3] = result[3] + e1 * result[1];
+    result[4] = result[4] + e1 * result[2];
+  }
+  if (curved1)
+  {
+    result[5] = result[5] + e1 * result[2];
+  }
+  if (curved2)
+  {
+    result[5] = result[5] + e2 * by2;
+  }
+  return result;
+}
 } // namespace pixelexact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Element/MeshRanges.h"
 
-#include "Core/Base/Error.h"
 #include "Core/Element/ParallelProgress.h"
 #include "Core/Element/Validity.h"
 
@@ -19,6 +18,8 @@ namespace
 /// Boxes an element may have in the first round of refinement; each further round has eight times
 /// as many.
 constexpr int kFirstBudget = 16;
+/// Boxes after which an expression without a bound is given up: it has a pole, or is not defined.
+constexpr int kMaxUnbounded = 1000;
 
 /// A range in units of 2^exponent.
 struct ElementFinding
@@ -58,16 +59,18 @@ public:
     Gather(elements);
   }
 
-  /// Gives up elements that are unbounded, and will be: they are not valid.
-  void GiveUpFoldedElements()
+  /// Gives up elements that are unbounded, and will be: they are not valid, or an expression is
+  /// not defined in them.
+  void GiveUpUnboundedElements()
   {
+    const bool isExpression = Question.field != nullptr && Question.field->function != nullptr;
     tbb::parallel_for(std::size_t{ 0 }, Findings.size(),
       [&](std::size_t e)
       {
         ElementFinding& finding = Findings[e];
         if (finding.range.finite && !finding.range.outer.IsFinite() && !finding.givenUp)
         {
-          finding.givenUp =
+          finding.givenUp = (isExpression && finding.range.boxes >= kMaxUnbounded) ||
             ValidityOf(TheMesh, static_cast<int>(e), Effort).validity != Validity::Valid;
         }
       });
@@ -204,12 +207,7 @@ std::vector<CertifiedRange> ElementRanges(const Mesh& mesh, const RangeQuestion&
 MeshRange RangeOf(const Mesh& mesh, const RangeQuestion& question, const RangeEffort& effort,
   const RangeProgress& progress)
 {
-  if (!IsAnswerable(question))
-  {
-    RequirePolynomials(*question.field, "proven ranges");
-    throw Unsupported("The gradient of field '" + question.field->name +
-      "', an H(curl), H(div) or density field, cannot be certified.");
-  }
+  RequireAnswer(question);
   Rounds rounds(mesh, question, effort);
   std::vector<int> elements(static_cast<std::size_t>(mesh.Elements()));
   std::iota(elements.begin(), elements.end(), 0);
@@ -226,7 +224,7 @@ MeshRange RangeOf(const Mesh& mesh, const RangeQuestion& question, const RangeEf
     }
     if (budget >= kFirstBudget)
     {
-      rounds.GiveUpFoldedElements();
+      rounds.GiveUpUnboundedElements();
     }
     elements = rounds.Candidates();
     budget = std::max(budget, kFirstBudget / 8);

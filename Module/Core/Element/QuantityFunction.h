@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Ranges.h"
 
 namespace pixelexact
@@ -8,7 +9,7 @@ namespace pixelexact
 /// A quantity (Ranges.h) as an expression in polynomials. Their order: the nine dPhi_i / dxi_j,
 /// i slowest, where the quantity needs the map; then the field's values, or the derivatives of the
 /// component by xi.
-class QuantityFunction final : public RangeFunction
+class QuantityFunction : public ElementQuantity
 {
 public:
   explicit QuantityFunction(const RangeQuestion& question);

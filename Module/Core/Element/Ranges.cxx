@@ -2,6 +2,7 @@
 #include "Core/Element/Ranges.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Element/FieldFunction.h"
 #include "Core/Element/QuantityFunction.h"
 #include "Core/Element/RangeIngredients.h"
 
@@ -14,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-bool NeedsMap(const RangeQuestion& question)
+bool AsksForMap(const RangeQuestion& question)
 {
   switch (question.quantity)
   {
@@ -25,54 +26,39 @@ bool NeedsMap(const RangeQuestion& question)
       return true;
   }
 }
-} // namespace
 
-struct ElementRange::Internals
+/// A quantity of polynomials: of the map's derivatives and of one field.
+class FieldQuantity final : public QuantityFunction
 {
-  Internals(const RangeQuestion& question, const Box3& part)
-    : function(question)
-    , box(part)
-  {
-  }
-  [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
-    const PieceForm::Piece& piece, const Box3& within) const;
+public:
+  FieldQuantity(const Mesh& mesh, int element, const RangeQuestion& question);
 
-  QuantityFunction function;
-  Box3 box;
-  std::optional<ScaledModes> map;
-  std::optional<ScaledModes> field;
-  std::vector<RangeIngredient> ingredients;
-  int exponent = 0;
-  int level = 0;
+  [[nodiscard]] bool IsFinite() const override
+  {
+    return (!Map || Map->finite) && (!Field || Field->finite);
+  }
+  [[nodiscard]] int Level() const override { return TheLevel; }
+  [[nodiscard]] int Exponent() const override { return TheExponent; }
+  [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
+    const PieceForm::Piece& piece, const Box3& within) const override;
+
+private:
+  std::optional<ScaledModes> Map;
+  std::optional<ScaledModes> Field;
+  std::vector<RangeIngredient> Ingredients;
+  int TheExponent = 0;
+  int TheLevel = 0;
 };
 
-bool IsAnswerable(const RangeQuestion& question)
+FieldQuantity::FieldQuantity(const Mesh& mesh, int element, const RangeQuestion& question)
+  : QuantityFunction(question)
 {
-  if (question.field != nullptr && question.field->function != nullptr)
-  {
-    return false;
-  }
-  const bool gradient = question.quantity == Quantity::GradientComponent ||
-    question.quantity == Quantity::GradientMagnitude;
-  return !gradient || question.field->mapping == Mapping::Identity;
-}
-
-ElementRange::ElementRange(
-  const Mesh& mesh, int element, const RangeQuestion& question, const Box3& part)
-  : Data(std::make_unique<Internals>(question, part))
-{
-  if (!IsAnswerable(question))
-  {
-    RequirePolynomials(*question.field, "proven ranges");
-    throw Unsupported("The gradient of field '" + question.field->name +
-      "', an H(curl), H(div) or density field, cannot be certified.");
-  }
   int mapExponent = 0;
-  if (NeedsMap(question))
+  if (AsksForMap(question))
   {
-    auto& map = Data->map.emplace(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3);
+    auto& map = Map.emplace(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3);
     mapExponent = map.exponent + std::ilogb(mesh.size[static_cast<std::size_t>(element)]);
-    AddDerivatives(map, 0, 3, Data->ingredients);
+    AddDerivatives(map, 0, 3, Ingredients);
   }
   int fieldExponent = 0;
   if (question.quantity != Quantity::Jacobian)
@@ -86,7 +72,7 @@ ElementRange::ElementRange(
     const int count = all ? values.components : 1;
     // Those of other components neither need to be finite nor to be of its size.
     const Space& space = values.SpaceOf(element);
-    auto& field = Data->field.emplace(space,
+    auto& field = Field.emplace(space,
       values.Coefficients(element) +
         static_cast<std::size_t>(all ? 0 : question.component) *
           static_cast<std::size_t>(space.Modes()),
@@ -94,66 +80,100 @@ ElementRange::ElementRange(
     fieldExponent = field.exponent;
     if (derivatives)
     {
-      AddDerivatives(field, 0, 1, Data->ingredients);
+      AddDerivatives(field, 0, 1, Ingredients);
     }
     else
     {
       for (int c = 0; c < count; ++c)
       {
-        Data->ingredients.push_back({ &field, c, Part::Value });
+        Ingredients.push_back({ &field, c, Part::Value });
       }
     }
   }
-  Data->exponent = fieldExponent + Data->function.PowerOfLength() * mapExponent;
-  Data->level = IsFinite() ? LevelFor(Data->ingredients) : 0;
+  TheExponent = fieldExponent + PowerOfLength() * mapExponent;
+  TheLevel = IsFinite() ? LevelFor(Ingredients) : 0;
 }
 
-ElementRange::~ElementRange() = default;
-
-bool ElementRange::IsFinite() const
-{
-  return (!Data->map || Data->map->finite) && (!Data->field || Data->field->finite);
-}
-
-int ElementRange::Exponent() const
-{
-  return Data->exponent;
-}
-
-std::vector<BoxPolynomial> ElementRange::Internals::Polynomials(
+std::vector<BoxPolynomial> FieldQuantity::Polynomials(
   const PieceForm::Piece& piece, const Box3& within) const
 {
   std::vector<BoxPolynomial> polynomials;
-  for (const RangeIngredient& ingredient : ingredients)
+  for (const RangeIngredient& ingredient : Ingredients)
   {
-    polynomials.push_back(ingredient.Over(level, piece, within));
+    polynomials.push_back(ingredient.Over(TheLevel, piece, within));
   }
-  function.ToWorld(polynomials);
+  ToWorld(polynomials);
   return polynomials;
 }
 
-const RangeFunction& ElementRange::Function() const
+std::unique_ptr<ElementQuantity> QuantityOn(
+  const Mesh& mesh, int element, const RangeQuestion& question)
 {
-  return Data->function;
+  if (question.field != nullptr && question.field->function != nullptr)
+  {
+    return question.field->function->OnElement(mesh, element,
+      question.quantity == Quantity::Magnitude ? FieldFunction::kNorm : question.component);
+  }
+  return std::make_unique<FieldQuantity>(mesh, element, question);
+}
+} // namespace
+
+bool IsAnswerable(const RangeQuestion& question)
+{
+  const bool gradient = question.quantity == Quantity::GradientComponent ||
+    question.quantity == Quantity::GradientMagnitude;
+  if (question.field != nullptr && question.field->function != nullptr)
+  {
+    const FieldFunction& function = *question.field->function;
+    return !gradient && !function.NeedsNormals() && !function.NeedsNeighbours();
+  }
+  return !gradient || question.field->mapping == Mapping::Identity;
+}
+
+void RequireAnswer(const RangeQuestion& question)
+{
+  if (IsAnswerable(question))
+  {
+    return;
+  }
+  const Field& field = *question.field;
+  if (field.function == nullptr)
+  {
+    throw Unsupported("The gradient of field '" + field.name +
+      "', an H(curl), H(div) or density field, cannot be certified.");
+  }
+  throw Unsupported("No range of '" + field.name + "' is proven: " +
+    (field.function->NeedsNormals()         ? "it needs the normal of a surface."
+        : field.function->NeedsNeighbours() ? "it has jumps between elements."
+                                            : "a gradient of an expression; write grad(...)."));
+}
+
+ElementRange::ElementRange(
+  const Mesh& mesh, int element, const RangeQuestion& question, const Box3& part)
+  : Part(part)
+{
+  RequireAnswer(question);
+  TheQuantity = QuantityOn(mesh, element, question);
 }
 
 void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
 {
-  const int pieces = 1 << Data->level;
+  const int level = TheQuantity->Level();
+  const int pieces = 1 << level;
   for (int i = 0; i < pieces * pieces * pieces; ++i)
   {
     const PieceForm::Piece piece{ i / (pieces * pieces), i / pieces % pieces, i % pieces };
-    const Box3 within = PartInPiece(Data->box, Data->level, piece);
+    const Box3 within = PartInPiece(Part, level, piece);
     if (!(within.lower.x <= within.upper.x && within.lower.y <= within.upper.y &&
           within.lower.z <= within.upper.z))
     {
       continue;
     }
     RangeBox box;
-    box.polynomials = Data->Polynomials(piece, within);
+    box.polynomials = TheQuantity->Polynomials(piece, within);
     if (pieces > 2)
     {
-      box.remake = [this, piece, within] { return Data->Polynomials(piece, within); };
+      box.remake = [this, piece, within] { return TheQuantity->Polynomials(piece, within); };
     }
     visit(std::move(box));
   }
@@ -161,7 +181,7 @@ void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
 
 std::unique_ptr<RangeSearch> ElementRange::Begin(const Interval& known) const
 {
-  auto search = std::make_unique<RangeSearch>(Data->function, known);
+  auto search = std::make_unique<RangeSearch>(*TheQuantity, known);
   ForEachBox([&search](RangeBox box) { search->Add(std::move(box)); });
   return search;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Bernstein/RangeSearch.h"
+#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Math/Vec.h"
 
@@ -33,9 +33,12 @@ struct RangeQuestion
   int direction = 0;            ///< of GradientComponent: x, y, z
 };
 
-/// Whether there is an answer: of mapped fields (H(curl), H(div), densities), whose gradients need
-/// second derivatives of the map, gradients are not certified.
+/// Whether there is an answer. There is none for gradients of mapped fields (H(curl), H(div),
+/// densities), which need second derivatives of the map, for gradients of expressions, and for
+/// expressions with normals or jumps.
 bool IsAnswerable(const RangeQuestion& question);
+/// Throws Unsupported with the reason where there is no answer.
+void RequireAnswer(const RangeQuestion& question);
 
 struct RangeEffort
 {
@@ -57,23 +60,19 @@ public:
   /// empty. The views must outlive the object.
   ElementRange(
     const Mesh& mesh, int element, const RangeQuestion& question, const Box3& part = kWholeElement);
-  ~ElementRange();
-  ElementRange(const ElementRange&) = delete;
-  ElementRange& operator=(const ElementRange&) = delete;
-
   /// False where a coefficient of the field is NaN or infinite: nothing can be said then.
-  [[nodiscard]] bool IsFinite() const;
+  [[nodiscard]] bool IsFinite() const { return TheQuantity->IsFinite(); }
   /// The function, and the boxes that cover the part, in units of 2^Exponent().
-  [[nodiscard]] const RangeFunction& Function() const;
+  [[nodiscard]] const RangeFunction& Function() const { return *TheQuantity; }
   void ForEachBox(const std::function<void(RangeBox)>& visit) const;
   /// The search with these boxes. `known` as RangeSearch takes it, in these units.
   [[nodiscard]] std::unique_ptr<RangeSearch> Begin(
     const Interval& known = CertifiedRange{}.attained) const;
-  [[nodiscard]] int Exponent() const;
+  [[nodiscard]] int Exponent() const { return TheQuantity->Exponent(); }
 
 private:
-  struct Internals;
-  std::unique_ptr<Internals> Data;
+  Box3 Part;
+  std::unique_ptr<const ElementQuantity> TheQuantity;
 };
 
 /// The range of a quantity over an element, or over a part of it given as a box in eta (see

@@ -2,6 +2,7 @@
 #include "Core/Expression/Expression.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Expression/BoxExpression.h"
 #include "Core/Expression/CompiledGraph.h"
 #include "Core/Expression/IntervalProgram.h"
 #include "Core/Expression/Translator.h"
@@ -28,6 +29,11 @@ public:
     Outputs = Translator(Scalars, scope).Translate(text).nodes;
     Values.emplace(Scalars, Outputs, Fields, Numbers, Places);
     Bounds.emplace(Scalars, Outputs, Fields, Numbers);
+    for (const int node : Outputs)
+    {
+      OfComponent.push_back(std::make_shared<const NodeList>(Scalars, std::span(&node, 1)));
+    }
+    All = std::make_shared<const NodeList>(Scalars, Outputs);
   }
 
   [[nodiscard]] int Components() const override { return static_cast<int>(Outputs.size()); }
@@ -72,6 +78,31 @@ public:
     Bounds->Enclose(mesh, element, xi, x, values);
   }
 
+  [[nodiscard]] std::unique_ptr<ElementQuantity> OnElement(
+    const Mesh& mesh, int element, int component) const override
+  {
+    const auto& list = component == kNorm ? All : OfComponent[static_cast<std::size_t>(component)];
+    return std::make_unique<BoxExpression>(list, Fields, Numbers, mesh, element);
+  }
+
+  [[nodiscard]] bool HasJets() const override
+  {
+    tbb::collaborative_call_once(Differentiated, [this] { Differentiate(); });
+    return !Jets.empty() && !NeedsNormals() && !NeedsNeighbours();
+  }
+
+  [[nodiscard]] std::unique_ptr<ElementJet> JetOnElement(
+    const Mesh& mesh, int element, int component, const Vec3& coordinateErrors) const override
+  {
+    if (!HasJets())
+    {
+      return nullptr;
+    }
+    const Jet& jet = component == kNorm ? Jets.back() : Jets[static_cast<std::size_t>(component)];
+    return std::make_unique<BoxJet>(
+      jet.list, *jet.code, Fields, Numbers, mesh, element, coordinateErrors);
+  }
+
 private:
   void Differentiate() const
   {
@@ -90,7 +121,92 @@ private:
     catch (const Error& error)
     {
       Missing = error.what();
+      return;
     }
+    try
+    {
+      for (const int node : Outputs)
+      {
+        AddJet(node);
+      }
+      AddJet(MakeNorm());
+    }
+    catch (const Error&)
+    {
+      Jets.clear();
+    }
+  }
+
+  /// A scalar and its derivatives by x.
+  struct Jet
+  {
+    std::shared_ptr<const NodeList> list;
+    std::unique_ptr<const CompiledGraph> code;
+  };
+  void AddJet(int node) const
+  {
+    std::vector<int> outputs{ node };
+    for (int d = 0; d < 3; ++d)
+    {
+      outputs.push_back(Scalars.Derivative(node, d));
+    }
+    auto code = std::make_unique<const CompiledGraph>(Scalars, outputs, Fields, Numbers, Places);
+    std::vector<int> withSeconds = outputs;
+    if (AddSeconds(withSeconds) && IsBounded(withSeconds))
+    {
+      outputs = std::move(withSeconds);
+    }
+    if (!IsBounded(outputs))
+    {
+      throw Unsupported("derivatives of H(curl), H(div) and density fields are not bounded");
+    }
+    Jets.push_back({ std::make_shared<const NodeList>(Scalars, outputs), std::move(code) });
+  }
+  /// Adds second derivatives; false where there are none.
+  bool AddSeconds(std::vector<int>& outputs) const
+  {
+    Scalars.AllowThirds(true);
+    bool available = true;
+    try
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        for (int b = a; b < 3; ++b)
+        {
+          outputs.push_back(Scalars.Derivative(outputs[static_cast<std::size_t>(1 + a)], b));
+        }
+      }
+    }
+    catch (const Unsupported&)
+    {
+      available = false;
+    }
+    Scalars.AllowThirds(false);
+    return available;
+  }
+  /// Whether BoxLeaves knows all that the nodes are made of.
+  [[nodiscard]] bool IsBounded(const std::vector<int>& nodes) const
+  {
+    const NodeList list(Scalars, nodes);
+    return std::ranges::none_of(list.leaves,
+      [this](const Graph::Node& leaf)
+      {
+        const bool isDerivative = leaf.operation == Operation::Slope ||
+          leaf.operation == Operation::Curvature || leaf.operation == Operation::Third;
+        return leaf.operation == Operation::Normal || leaf.operation == Operation::Behind ||
+          (isDerivative &&
+            Fields[static_cast<std::size_t>(leaf.field)]->mapping != Mapping::Identity);
+      });
+  }
+  /// The Euclidean norm of all components.
+  int MakeNorm() const
+  {
+    int sum = Scalars.Constant(0.0);
+    for (const int node : Outputs)
+    {
+      sum = Scalars.Of(Operation::Add, sum, Scalars.Of(Operation::Multiply, node, node));
+    }
+    return Outputs.size() == 1 ? Outputs.front() : Scalars.Of(Operation::Sqrt, sum);
   }
 
   std::string Text;
@@ -100,10 +216,13 @@ private:
   std::vector<int> Outputs;
   std::optional<CompiledGraph> Values;
   std::optional<IntervalProgram> Bounds;
+  std::vector<std::shared_ptr<const NodeList>> OfComponent; ///< for OnElement
+  std::shared_ptr<const NodeList> All;
   // Made when somebody first asks.
   mutable tbb::collaborative_once_flag Differentiated;
   mutable Graph Scalars;
   mutable std::optional<CompiledGraph> WithGradient;
+  mutable std::vector<Jet> Jets; ///< of the components, then of their norm
   mutable std::string Missing;
 };
 } // namespace

@@ -56,7 +56,7 @@ bool Graph::Node::operator<(const Node& other) const
   const auto key = [](const Node& node)
   {
     return std::tuple(node.operation, std::bit_cast<std::uint64_t>(node.constant), node.arguments,
-      node.field, node.component, node.a, node.b);
+      node.field, node.component, node.a, node.b, node.c);
   };
   return key(*this) < key(other);
 }

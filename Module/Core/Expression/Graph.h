@@ -25,6 +25,7 @@ enum class Operation : std::uint8_t
   Value,     ///< component c of field f
   Slope,     ///< its derivative by x_a
   Curvature, ///< its second derivative by x_a and x_b, a <= b
+  Third,     ///< its third one by x_a, x_b and x_c, a <= b <= c; of bounds alone (BoxLeaves)
   Behind, ///< node a in the element behind the face that the point is on; NaN where there is none
   Negate,
   Not,
@@ -82,6 +83,7 @@ public:
     int component = 0;
     int a = 0;
     int b = 0;
+    int c = 0;
 
     /// Nodes are equal where all bits are: -0 is not 0.
     bool operator<(const Node& other) const;
@@ -105,6 +107,8 @@ public:
   /// differentiated beside the steps. Throws Unsupported for third derivatives of fields and for
   /// derivatives of det J, of normals, of eigenvectors and of jumps.
   int Derivative(int node, int d);
+  /// Whether third derivatives of fields become nodes of the graph.
+  void AllowThirds(bool allow) { HasThirds = allow; }
 
   /// Returns `nodes` and all nodes that they are computed from, each after its arguments.
   [[nodiscard]] std::vector<int> NeededFor(std::span<const int> nodes) const;
@@ -121,6 +125,7 @@ private:
   int OfFunction(const Node& node, int self);
   int OfEigenvalue(const Node& node, int d);
 
+  bool HasThirds = false;
   std::vector<Node> Nodes;
   std::map<Node, int> Known;
   std::map<std::array<int, 2>, int> Derivatives;

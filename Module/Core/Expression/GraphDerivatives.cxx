@@ -55,7 +55,22 @@ int Graph::MakeDerivative(int self, int d)
     case Operation::Normal:
       throw Unsupported("derivatives of the normal are not available");
     case Operation::Curvature:
-      throw Unsupported("third derivatives of fields are not available");
+    {
+      if (!HasThirds)
+      {
+        throw Unsupported("third derivatives of fields are not available");
+      }
+      std::array<int, 3> by{ node.a, node.b, d };
+      std::ranges::sort(by);
+      return Leaf({ .operation = Operation::Third,
+        .field = node.field,
+        .component = node.component,
+        .a = by[0],
+        .b = by[1],
+        .c = by[2] });
+    }
+    case Operation::Third:
+      throw Unsupported("fourth derivatives of fields are not available");
     case Operation::Behind:
       throw Unsupported("derivatives of jumps are not available; for the jump of a derivative "
                         "write jump(grad(u))");

@@ -2,273 +2,15 @@
 #include "Core/Expression/IntervalProgram.h"
 
 #include "Core/Element/Enclosure.h"
-#include "Core/Expression/SymmetricEigen.h"
+#include "Core/Expression/IntervalOperations.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <numbers>
 
 namespace pixelexact
 {
-namespace
-{
-/// By which values of the C library are taken to be off, as a part of their size.
-constexpr double kOfLibrary = 0x1p-49;
-/// And of values that underflow: 16 times the least number.
-constexpr double kOfUnderflow = 0x1p-1070;
-
-Interval Widened(double lower, double upper)
-{
-  if (std::isnan(lower) || std::isnan(upper))
-  {
-    return Interval::Everything();
-  }
-  // An infinite value may have overflowed.
-  constexpr double kLargest = std::numeric_limits<double>::max();
-  const double below = std::clamp(lower, -kLargest, kLargest);
-  const double above = std::clamp(upper, -kLargest, kLargest);
-  return { std::isinf(lower) && lower < 0.0
-      ? lower
-      : rounding::Below(below - kOfLibrary * std::fabs(below) - kOfUnderflow),
-    std::isinf(upper) && upper > 0.0
-      ? upper
-      : rounding::Above(above + kOfLibrary * std::fabs(above) + kOfUnderflow) };
-}
-
-/// Encloses the values of a function that grows.
-template <class Function>
-Interval Growing(const Interval& a, const Function& function)
-{
-  return a.IsFinite() ? Widened(function(a.lower), function(a.upper)) : Interval::Everything();
-}
-
-/// Encloses the values of sin, shifted by so many quarters of a turn: -1 and 1 where they may be
-/// met.
-Interval Wave(const Interval& a, double quarters, double lower, double upper)
-{
-  // Beyond this the turns are not counted.
-  constexpr double kMaxAngle = 0x1p20;
-  if (!a.IsFinite() || a.Magnitude() > kMaxAngle)
-  {
-    return { -1.0, 1.0 };
-  }
-  constexpr double kSlack = 1e-9; // of a turn
-  const auto meets = [&](double at)
-  {
-    const double turn = 2.0 * std::numbers::pi;
-    const double first = (a.lower + quarters * std::numbers::pi / 2 - at) / turn;
-    const double last = (a.upper + quarters * std::numbers::pi / 2 - at) / turn;
-    return std::floor(last + kSlack) >= std::ceil(first - kSlack);
-  };
-  const Interval ends = Widened(std::min(lower, upper), std::max(lower, upper));
-  return { meets(-std::numbers::pi / 2) ? -1.0 : std::max(-1.0, ends.lower),
-    meets(std::numbers::pi / 2) ? 1.0 : std::min(1.0, ends.upper) };
-}
-
-bool IsWithin(const Interval& a, double lower, double upper)
-{
-  return a.lower >= lower && a.upper <= upper;
-}
-
-Interval PowerOf(const Interval& a, const Interval& b)
-{
-  if (b.lower == b.upper && b.lower == std::floor(b.lower) && std::fabs(b.lower) <= 64.0)
-  {
-    const int exponent = static_cast<int>(std::fabs(b.lower));
-    Interval result(1.0);
-    for (int k = 0; k < exponent / 2; ++k)
-    {
-      result *= Square(a);
-    }
-    result = exponent % 2 == 1 ? result * a : result;
-    return b.lower < 0.0 ? Interval(1.0) / result : result;
-  }
-  if (!(a.lower > 0.0) || !a.IsFinite() || !b.IsFinite())
-  {
-    return Interval::Everything();
-  }
-  const Interval logarithm = Growing(a, [](double v) { return std::log(v); });
-  return Growing(b * logarithm, [](double v) { return std::exp(v); });
-}
-
-/// 1, 0, or both.
-Interval Truth(bool surely, bool possibly)
-{
-  return { surely ? 1.0 : 0.0, possibly ? 1.0 : 0.0 };
-}
-
-Interval LogicOf(Operation operation, const Interval& a, const Interval& b)
-{
-  const bool isZeroA = a.lower == 0.0 && a.upper == 0.0;
-  const bool isZeroB = b.lower == 0.0 && b.upper == 0.0;
-  switch (operation)
-  {
-    case Operation::Less:
-      return Truth(a.upper < b.lower, a.lower < b.upper);
-    case Operation::AtMost:
-      return Truth(a.upper <= b.lower, a.lower <= b.upper);
-    case Operation::Equal:
-    case Operation::NotEqual:
-    {
-      const bool same = a.lower == a.upper && b.lower == b.upper && a.lower == b.lower;
-      const bool apart = a.upper < b.lower || b.upper < a.lower;
-      return operation == Operation::Equal ? Truth(same, !apart) : Truth(apart, !same);
-    }
-    case Operation::And:
-      return Truth(!a.Contains(0.0) && !b.Contains(0.0), !isZeroA && !isZeroB);
-    case Operation::Or:
-      return Truth(!a.Contains(0.0) || !b.Contains(0.0), !isZeroA || !isZeroB);
-    default: // Not
-      return Truth(isZeroA, a.Contains(0.0));
-  }
-}
-
-Interval FunctionOf(Operation operation, const Interval& a)
-{
-  switch (operation)
-  {
-    case Operation::Sqrt:
-      return a.lower >= 0.0 ? Sqrt(a) : Interval::Everything();
-    case Operation::Exp:
-      return Growing(a, [](double v) { return std::exp(v); });
-    case Operation::Log:
-      return a.lower > 0.0 ? Growing(a, [](double v) { return std::log(v); })
-                           : Interval::Everything();
-    case Operation::Sin:
-      return Wave(a, 0.0, std::sin(a.lower), std::sin(a.upper));
-    case Operation::Cos:
-      return Wave(a, 1.0, std::cos(a.lower), std::cos(a.upper));
-    case Operation::Asin:
-      return IsWithin(a, -1.0, 1.0) ? Growing(a, [](double v) { return std::asin(v); })
-                                    : Interval::Everything();
-    case Operation::Acos:
-      return IsWithin(a, -1.0, 1.0) ? Widened(std::acos(a.upper), std::acos(a.lower))
-                                    : Interval::Everything();
-    case Operation::Atan:
-      return Growing(a, [](double v) { return std::atan(v); });
-    case Operation::Sinh:
-      return Growing(a, [](double v) { return std::sinh(v); });
-    case Operation::Cosh:
-    {
-      const Interval size = Abs(a);
-      return size.IsFinite() ? Widened(std::cosh(size.lower), std::cosh(size.upper))
-                             : Interval::Everything();
-    }
-    case Operation::Tanh:
-      return Growing(a, [](double v) { return std::tanh(v); });
-    case Operation::Erf:
-      return Growing(a, [](double v) { return std::erf(v); });
-    case Operation::Abs:
-      return Abs(a);
-    case Operation::Sign:
-      return { a.lower > 0.0 ? 1.0
-          : a.lower == 0.0   ? 0.0
-                             : -1.0,
-        a.upper < 0.0      ? -1.0
-          : a.upper == 0.0 ? 0.0
-                           : 1.0 };
-    case Operation::Floor:
-      return { std::floor(a.lower), std::floor(a.upper) };
-    case Operation::Ceil:
-      return { std::ceil(a.lower), std::ceil(a.upper) };
-    default: // Tan
-      return Interval::Everything();
-  }
-}
-
-/// By Weyl's inequality: eigenvalues move by no more than the matrix.
-Interval EigenvalueOf(std::span<const Interval> entries, int number)
-{
-  std::array<double, 6> middle{};
-  double moved = 0.0;
-  double size = 0.0;
-  for (std::size_t k = 0; k < middle.size(); ++k)
-  {
-    if (!entries[k].IsFinite())
-    {
-      return Interval::Everything();
-    }
-    middle[k] = entries[k].Middle();
-    moved += (k < 3 ? 1.0 : 2.0) * entries[k].RadiusAround(middle[k]);
-    size += (k < 3 ? 1.0 : 2.0) * std::fabs(middle[k]);
-  }
-  // SymmetricEigen makes 90 rotations at most, each off by less than 16 roundings of the size.
-  constexpr double kOfRotations = 0x1p-42;
-  return Interval::Around(
-    SymmetricEigen(middle).Value(number), (moved + kOfRotations * size) * (1.0 + 0x1p-40));
-}
-
-Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
-{
-  switch (node.operation)
-  {
-    case Operation::Negate:
-      return -a[0];
-    case Operation::Add:
-      return a[0] + a[1];
-    case Operation::Subtract:
-      return a[0] - a[1];
-    case Operation::Multiply:
-      return node.arguments[0] == node.arguments[1] ? Square(a[0]) : a[0] * a[1];
-    case Operation::Divide:
-      return a[0] / a[1];
-    case Operation::Power:
-      return PowerOf(a[0], a[1]);
-    case Operation::Min:
-      return { std::min(a[0].lower, a[1].lower), std::min(a[0].upper, a[1].upper) };
-    case Operation::Max:
-      return { std::max(a[0].lower, a[1].lower), std::max(a[0].upper, a[1].upper) };
-    case Operation::Select:
-      return !a[0].Contains(0.0)                 ? a[1]
-        : a[0].lower == 0.0 && a[0].upper == 0.0 ? a[2]
-                                                 : Join(a[1], a[2]);
-    case Operation::Eigenvalue:
-      return EigenvalueOf(a, node.a);
-    case Operation::Eigenvector:
-      return { -1.0, 1.0 };
-    case Operation::Atan2:
-      return Interval::Everything();
-    default:
-      return IsTruth(node.operation) ? LogicOf(node.operation, a[0], a[1])
-                                     : FunctionOf(node.operation, a[0]);
-  }
-}
-
-/// A node's value is in the interval, or NaN.
-struct Known
-{
-  Interval value{ 0.0 };
-  /// Always where the interval is not finite: what is undefined is everything.
-  bool mayBeNaN = false;
-};
-
-Known KnownOf(const Graph::Node& node, std::span<const Known> arguments)
-{
-  std::array<Interval, Graph::kMaxArguments> values;
-  std::ranges::transform(arguments, values.begin(), &Known::value);
-  const bool anyNaN = std::ranges::any_of(arguments, &Known::mayBeNaN);
-  if (IsTruth(node.operation))
-  {
-    return { anyNaN ? Interval(0.0, 1.0) : ValueOf(node, values) };
-  }
-  if (node.operation == Operation::Select)
-  {
-    if (arguments[0].mayBeNaN)
-    {
-      return { Join(values[1], values[2]), true };
-    }
-    const bool mayBeSecond = values[0].lower != 0.0 || values[0].upper != 0.0;
-    return { ValueOf(node, values),
-      (mayBeSecond && arguments[1].mayBeNaN) ||
-        (values[0].Contains(0.0) && arguments[2].mayBeNaN) };
-  }
-  const Interval value = ValueOf(node, values);
-  return { value, anyNaN || !value.IsFinite() };
-}
-} // namespace
-
 /// A field's values and slopes over the points of a call.
 struct IntervalProgram::FieldBounds
 {
@@ -289,27 +31,19 @@ struct IntervalProgram::FieldBounds
 
 IntervalProgram::IntervalProgram(const Graph& graph, std::span<const int> outputs,
   std::span<const Field* const> fields, std::span<const std::int64_t> numbers)
-  : Fields(fields.begin(), fields.end())
+  : List(graph, outputs)
+  , Fields(fields.begin(), fields.end())
   , Derivatives(fields.size(), -1)
   , Numbers(numbers)
 {
-  std::map<int, int> placeOf;
-  for (const int number : graph.NeededFor(outputs))
+  for (const Graph::Node& leaf : List.leaves)
   {
-    placeOf[number] = static_cast<int>(Nodes.size());
-    Graph::Node& node = Nodes.emplace_back(graph.At(number));
-    for (int& argument : node.arguments)
+    if (leaf.operation == Operation::Value || leaf.operation == Operation::Slope)
     {
-      argument = argument < 0 ? -1 : placeOf.at(argument);
-    }
-    if (node.operation == Operation::Value || node.operation == Operation::Slope)
-    {
-      int& derivative = Derivatives[static_cast<std::size_t>(node.field)];
-      derivative = std::max(derivative, node.operation == Operation::Slope ? 1 : 0);
+      int& derivative = Derivatives[static_cast<std::size_t>(leaf.field)];
+      derivative = std::max(derivative, leaf.operation == Operation::Slope ? 1 : 0);
     }
   }
-  std::ranges::transform(outputs, std::back_inserter(Outputs),
-    [&](int node) { return static_cast<std::size_t>(placeOf.at(node)); });
 }
 
 Interval IntervalProgram::LeafAt(const Graph::Node& leaf, int element, const LanePoints& x, int at,
@@ -370,29 +104,18 @@ void IntervalProgram::Enclose(const Mesh& mesh, int element, const LanePoints& x
       EncloseValues(mesh, *Fields[f], element, xi, x, values);
     }
   }
-  std::vector<Known> known(Nodes.size());
-  std::array<Known, Graph::kMaxArguments> arguments;
+  std::vector<KnownInterval> known;
   for (int i = 0; i < xi.count; ++i)
   {
-    for (std::size_t k = 0; k < Nodes.size(); ++k)
+    const auto leafAt = [&](std::size_t k) -> KnownInterval
     {
-      const Graph::Node& node = Nodes[k];
-      for (std::size_t a = 0; a < arguments.size() && node.arguments[0] >= 0; ++a)
-      {
-        const int from = node.arguments[a] >= 0 ? node.arguments[a] : node.arguments[0];
-        arguments[a] = known[static_cast<std::size_t>(from)];
-      }
-      if (node.arguments[0] >= 0)
-      {
-        known[k] = KnownOf(node, arguments);
-        continue;
-      }
-      const Interval leaf = LeafAt(node, element, x, i, bounds);
-      known[k] = { leaf, !leaf.IsFinite() };
-    }
-    for (std::size_t k = 0; k < Outputs.size(); ++k)
+      const Interval leaf = LeafAt(List.leaves[k], element, x, i, bounds);
+      return { leaf, !leaf.IsFinite() };
+    };
+    List.Compute(leafAt, ApplyToIntervals, known);
+    for (std::size_t k = 0; k < List.outputs.size(); ++k)
     {
-      const Known& output = known[Outputs[k]];
+      const KnownInterval& output = known[List.outputs[k]];
       const Interval value = output.mayBeNaN ? Interval::Everything() : output.value;
       out.lower[k][i] = value.lower;
       out.upper[k][i] = value.upper;

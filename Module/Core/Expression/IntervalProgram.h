@@ -3,7 +3,7 @@
 
 #include "Core/Element/FieldFunction.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Expression/Graph.h"
+#include "Core/Expression/NodeList.h"
 #include "Core/Math/Interval.h"
 
 #include <cstdint>
@@ -33,8 +33,7 @@ private:
   [[nodiscard]] Interval LeafAt(const Graph::Node& leaf, int element, const LanePoints& x, int at,
     std::span<const FieldBounds> bounds) const;
 
-  std::vector<Graph::Node> Nodes; ///< arguments are places in this list, and come first
-  std::vector<std::size_t> Outputs;
+  NodeList List;
   std::vector<const Field*> Fields;
   std::vector<int> Derivatives; ///< of each field: the highest that is needed; -1: none
   std::span<const std::int64_t> Numbers;

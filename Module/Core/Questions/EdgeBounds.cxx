@@ -16,6 +16,13 @@ namespace
 {
 /// Of xi: what located points may be off is measured where it could be more than that.
 constexpr double kMostAssumed = 1e-10;
+/// Of bounds: a larger part that falls with the node is worth smaller nodes.
+constexpr double kLoose = 0.25;
+/// Of the rise along an edge: halves of edges cost less than smaller nodes below that.
+constexpr double kRough = 0.3;
+/// So often in a row that smaller nodes may bring less than that: halves along other directions do.
+constexpr int kMaxIdle = 4;
+constexpr double kImproved = 0.75;
 /// Of an expansion about a node without the functions there, in nanoseconds.
 constexpr std::int64_t kCostOfMeeting = 700;
 } // namespace
@@ -82,8 +89,8 @@ std::array<double, 3> EdgeBounds::ShiftOf(
   return shift;
 }
 
-std::optional<EdgeRange> EdgeBounds::Along(
-  const LocatedPoint& a, const LocatedPoint& b, double sagitta, EdgeWork* work) const
+std::optional<EdgeRange> EdgeBounds::Along(const LocatedPoint& a, const LocatedPoint& b,
+  double sagitta, EdgeWork* work, const ValueSet* wanted) const
 {
   if (!Functions.IsKnown())
   {
@@ -102,12 +109,42 @@ std::optional<EdgeRange> EdgeBounds::Along(
       continue;
     }
     std::optional<EdgeRange> range = AlongIn(*node, a, b, sagitta);
+    if (range && wanted != nullptr)
+    {
+      range = AlongSmaller(*node, *range, a, b, sagitta, work, *wanted);
+    }
     if (range || node->straight)
     {
       return range;
     }
   }
   return std::nullopt;
+}
+
+EdgeRange EdgeBounds::AlongSmaller(const EdgeNode& node, const EdgeRange& found,
+  const LocatedPoint& a, const LocatedPoint& b, double sagitta, EdgeWork* work,
+  const ValueSet& wanted) const
+{
+  const auto [lower, upper] = std::minmax(a.value, b.value);
+  const std::array etas{ a.eta, b.eta };
+  EdgeRange range = found;
+  const EdgeNode* at = &node;
+  int idle = 0;
+  while (idle < kMaxIdle && range.loose > kLoose * range.deviation &&
+    range.deviation > kRough * (upper - lower) &&
+    wanted.Meets(lower - range.deviation, upper + range.deviation))
+  {
+    at = Tree.SmallerWith(*at, etas, work);
+    const std::optional<EdgeRange> smaller =
+      at != nullptr ? AlongIn(*at, a, b, sagitta) : std::nullopt;
+    if (!smaller)
+    {
+      break;
+    }
+    idle = smaller->deviation < kImproved * range.deviation ? 0 : idle + 1;
+    range = smaller->deviation < range.deviation ? *smaller : range;
+  }
+  return range;
 }
 
 std::optional<EdgeRange> EdgeBounds::AlongIn(
@@ -131,6 +168,8 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
     range.error += node.slope[k] * shift[k];
     range.deviation += node.slope[k] * besides;
     outside += node.slope[k] * 2.0 * beside[k];
+    // What is no polynomial differs from its chord by no more than half of its way.
+    range.loose += node.beside[k] * (0.5 * s[k] + off[k] + 2.0 * shift[k]);
   }
   for (const EdgeNodeEnd& end : node.wideEnds)
   {
@@ -155,7 +194,11 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
     const double least = std::max(a.value, b.value) - change;
     range.deviation += least > 0.25 * change ? change * change / (8.0 * least) : 0.5 * change;
   }
-  range.deviation = (range.deviation + error) * kUp;
+  range.deviation = (range.deviation + range.loose + error) * kUp;
+  if (Functions.HasJet())
+  {
+    range.loose += Quadratic(node.curve, s) / 8.0;
+  }
   range.error *= kUp;
   return range;
 }

@@ -36,13 +36,15 @@ struct EdgeEffort
 struct EdgeRange
 {
   double deviation = 0.0; ///< from the straight line between the ends' values
+  double loose = 0.0;     ///< the part of it that falls with the node: what is no polynomial
   double error = 0.0;     ///< of these values: F at the true points is no farther off
 };
 
 /// A component on a part of a plane that lies in one element.
 struct PlanarValues
 {
-  Interval values; ///< hold all of them
+  Interval values;    ///< hold all of them
+  double loose = 0.0; ///< the part of the bounds that falls with the node
   /// By an affine function of the points x of the part: At(x) is off by at most this. Infinite
   /// where it has not been asked for.
   double error = std::numeric_limits<double>::infinity();
@@ -89,9 +91,10 @@ public:
   /// The field along the straight edge between two points: it lies in the element, as far as
   /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the
   /// two. Nothing where that is not proven. `sagitta`: how far off the straight edge the true one
-  /// is, in world units.
+  /// is, in world units. More is found out of expressions as long as the values may meet `wanted`;
+  /// null: nothing more.
   [[nodiscard]] std::optional<EdgeRange> Along(const LocatedPoint& a, const LocatedPoint& b,
-    double sagitta = 0.0, EdgeWork* work = nullptr) const;
+    double sagitta = 0.0, EdgeWork* work = nullptr, const ValueSet* wanted = nullptr) const;
 
   /// The values on a part of the plane through three points of the element, best next to them.
   /// Nothing where it is not proven that the part lies in the element. More is found out only as
@@ -127,6 +130,14 @@ private:
   /// Nothing where the edge is not proven to lie in the node's margin.
   [[nodiscard]] std::optional<EdgeRange> AlongIn(
     const EdgeNode& node, const LocatedPoint& a, const LocatedPoint& b, double sagitta) const;
+  /// The same in smaller nodes than `node`, in which the range is `found`.
+  [[nodiscard]] EdgeRange AlongSmaller(const EdgeNode& node, const EdgeRange& found,
+    const LocatedPoint& a, const LocatedPoint& b, double sagitta, EdgeWork* work,
+    const ValueSet& wanted) const;
+  /// As Over, in one node.
+  [[nodiscard]] std::optional<PlanarValues> OverIn(const EdgeNode& node,
+    const std::array<LocatedPoint, 3>& triangle, const WideOutline& part,
+    const ValueSet& wanted) const;
   /// By how much the points' xi may be off: |xi - xi'| of Phi(xi') = x, by direction.
   [[nodiscard]] std::array<double, 3> ShiftOf(
     const EdgeNode& node, std::span<const LocatedPoint> points) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/EdgeFunctions.h"
 
+#include "Core/Element/FieldFunction.h"
 #include "Core/Element/Ranges.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
@@ -32,6 +33,9 @@ constexpr std::int64_t kCostOfFourModes = 3;
 /// Of a point whose xi is found at once, and of others, as next to folds.
 constexpr std::int64_t kCostOfSample = 1500;
 constexpr std::int64_t kCostOfHardSample = 250'000;
+/// Of an expression's operations over a box, and of one of its values.
+constexpr std::int64_t kCostOfOperation = 200;
+constexpr std::int64_t kCostOfJet = 1000;
 /// Of boxes that cost nothing: how often they are halved at most, and what they may cost together.
 constexpr int kMostFree = 8;
 constexpr std::int64_t kMostFreeCost = 50'000'000;
@@ -40,27 +44,34 @@ constexpr std::int64_t kMostFreeCost = 50'000'000;
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element,
   const Field& field, int component, double rounding)
   : EdgeFunctions(
-      mesh, bounds, element, ModesOf(mesh, element, field, component, rounding), rounding)
+      mesh, bounds, element, ModesOf(mesh, bounds, element, field, component, rounding), rounding)
 {
 }
 
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element)
   : EdgeFunctions(mesh, bounds, element,
       { ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 0), 0, std::nullopt,
-        true },
+        true, nullptr },
       0.0)
 {
 }
 
-EdgeFunctions::Modes EdgeFunctions::ModesOf(
-  const Mesh& mesh, int element, const Field& field, int component, double rounding)
+EdgeFunctions::Modes EdgeFunctions::ModesOf(const Mesh& mesh, const ElementBounds& bounds,
+  int element, const Field& field, int component, double rounding)
 {
   const int count = component < 0 ? field.values.components : 1;
   if (field.function != nullptr)
   {
-    // Nothing is known; the modes of the map stand for those that there are not.
-    return { ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 1), count,
-      std::nullopt, false };
+    const double most = kMostMiss * mesh.size[static_cast<std::size_t>(element)];
+    const Vec3 off(
+      most * bounds.uncertainty[0], most * bounds.uncertainty[1], most * bounds.uncertainty[2]);
+    const bool isNorm = component < 0 && count > 1;
+    auto jet = field.function->JetOnElement(
+      mesh, element, isNorm ? FieldFunction::kNorm : std::max(component, 0), off);
+    const bool known = jet != nullptr && jet->IsFinite();
+    // The modes of the map stand for those that there are not.
+    return { ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 1), 1,
+      std::nullopt, known, std::move(jet) };
   }
   const Space& space = field.values.SpaceOf(element);
   // Of mapped vectors each component is made of all.
@@ -72,12 +83,13 @@ EdgeFunctions::Modes EdgeFunctions::ModesOf(
   const bool finite = modes.finite;
   if (!isMapped || !finite)
   {
-    return { std::move(modes), count, std::nullopt, finite };
+    return { std::move(modes), count, std::nullopt, finite, nullptr };
   }
   std::optional<QuotientModes> quotient =
     MakeQuotientModes(mesh, element, field, component, rounding);
   const bool known = quotient.has_value();
-  return { known ? quotient->numerators : std::move(modes), count, std::move(quotient), known };
+  return { known ? quotient->numerators : std::move(modes), count, std::move(quotient), known,
+    nullptr };
 }
 
 EdgeFunctions::EdgeFunctions(
@@ -85,6 +97,7 @@ EdgeFunctions::EdgeFunctions(
   : Map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3)
   , Component(std::move(modes.component))
   , Divisor(modes.quotient ? std::optional(modes.quotient->divisor) : std::nullopt)
+  , Jet(std::move(modes.jet))
   , MapKernels(KernelsFor(Map.space))
   , ComponentKernels(KernelsFor(Component.space))
   , Count(modes.count)
@@ -107,7 +120,8 @@ EdgeFunctions::EdgeFunctions(
     TakeSlack(*modes.quotient);
   }
   const std::size_t pieces = std::size_t{ 1 } << (3 * Level);
-  Kept = std::make_unique<MadeOnDemand<EdgePolynomials>>(pieces);
+  Kept = std::make_unique<PieceStore<EdgePolynomials>>(Level);
+  JetPolynomials = Jet ? std::make_unique<PieceStore<PolynomialBatch>>(Level) : nullptr;
   Costs = std::make_unique<MadeOnDemand<EdgePolynomials::Cost>>(pieces);
   Range = ValuesOver({});
   BoundErrors(rounding);
@@ -152,7 +166,7 @@ std::vector<EdgePolynomials::Function> EdgeFunctions::Functions() const
 {
   std::vector<EdgePolynomials::Function> functions;
   functions.reserve(static_cast<std::size_t>(Count) + 1);
-  for (int c = 0; c < Count; ++c)
+  for (int c = 0; c < Count && !Jet; ++c)
   {
     functions.push_back({ &Component, c });
   }
@@ -182,7 +196,7 @@ void EdgeFunctions::ChooseLevel()
     all.push_back({ &*Divisor, 0, Part::Value });
     AddDerivatives(*Divisor, 0, 1, all);
   }
-  Level = LevelFor(all);
+  Level = std::max(LevelFor(all), Jet ? Jet->Level() : 0);
   const auto fewer = [](std::size_t coefficients)
   {
     return std::max(
@@ -198,11 +212,19 @@ void EdgeFunctions::ChooseLevel()
   { return static_cast<std::int64_t>(PieceForm::Of(modes.space, Level).Size()); };
   Cost = EdgePolynomials::CostOf(PieceForm::Of(Map.space, Level).Degree()) +
     EdgePolynomials::CostOf(PieceForm::Of(Component.space, Level).Degree());
+  if (Jet)
+  {
+    Cost += kCostOfOperation * static_cast<std::int64_t>(Jet->Operations());
+  }
   while (Free < kMostFree && Cost << (Free + 1) <= kMostFreeCost)
   {
     ++Free;
   }
   CostOfView = kCostOfView + kCostOfFourModes * (coefficients(Map) + coefficients(Component)) / 4;
+  if (Jet)
+  {
+    CostOfView += kCostOfJet + kCostOfOperation * static_cast<std::int64_t>(Jet->Operations()) / 16;
+  }
 }
 
 std::int64_t EdgeFunctions::SampleCost(bool regular) const
@@ -220,8 +242,31 @@ PointValues EdgeFunctions::ImagesAt(std::span<const Vec3> xi) const
   return { MapKernels, Map.space, Map.values.data(), 3, std::ldexp(1.0, Map.exponent), xi };
 }
 
+/// Of an expression, with its derivatives by xi.
+PointValues EdgeFunctions::ValuesOfJet(std::span<const Vec3> xi) const
+{
+  const PointValues map = ImagesAt(xi);
+  PointValues values;
+  std::array<Vec3, PointValues::kRoom> gradients;
+  Jet->Evaluate(xi, values.values[0], gradients);
+  for (std::size_t i = 0; i < xi.size(); ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      values.slopes[j][i] = Unit *
+        (map.slopes[j][i] * gradients[i].x + map.slopes[3 + j][i] * gradients[i].y +
+          map.slopes[6 + j][i] * gradients[i].z);
+    }
+  }
+  return values;
+}
+
 PointValues EdgeFunctions::ValuesAt(int component, std::span<const Vec3> xi) const
 {
+  if (Jet)
+  {
+    return ValuesOfJet(xi);
+  }
   const RangeIngredient ingredient{ &Component, component, Part::Value };
   PointValues values(ComponentKernels, Component.space, ingredient.Modes(), 1,
     std::ldexp(1.0, Component.exponent), xi);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "Core/Base/MadeOnDemand.h"
+#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Element/PieceStore.h"
 #include "Core/Index/ElementIndex.h"
 #include "Core/Math/Mat.h"
 #include "Core/Questions/EdgePolynomials.h"
@@ -12,7 +14,6 @@
 #include "Core/Tree/EtaBox.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -35,8 +36,10 @@ public:
   /// Whether anything else is known: of mapped fields nothing is in pyramids, and with products of
   /// high orders (QuotientModes).
   [[nodiscard]] bool IsKnown() const { return Known; }
+  /// Whether the component is an expression.
+  [[nodiscard]] bool HasJet() const { return Jet != nullptr; }
   /// False where a coefficient is not finite: there are none then.
-  [[nodiscard]] bool HasValues() const { return Component.finite; }
+  [[nodiscard]] bool HasValues() const { return Jet ? Jet->IsFinite() : Component.finite; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
   /// Of which the norm is taken, if there are several; 0: of the map alone.
   [[nodiscard]] int Components() const { return Count; }
@@ -112,6 +115,13 @@ public:
     std::vector<EdgePolynomials::MapHulls> ofPieces; ///< of the cube, that the box meets
   };
   [[nodiscard]] MapRanges MapOver(const EtaBox& box) const;
+  /// Bounds the rounding of values and of their derivatives by xi over a box, both of kernels and
+  /// of ValuesAt.
+  struct Errors
+  {
+    double value;
+    double slope;
+  };
   /// First and second derivatives by xi of the map's coordinates and of the components; and of
   /// these, together, the values. `map`: of the same box.
   struct Derivatives
@@ -124,18 +134,14 @@ public:
     std::array<Interval, 3> divisorSlopes{};
     /// Of one component that is not mapped, over boxes in one piece.
     std::optional<EdgePolynomials::Curves> curves;
+    /// Of expressions: the derivatives by xi are those of a function with these second ones, but
+    /// for this; and the rounding (ErrorsWith).
+    std::array<double, 3> beside{};
+    Errors errors{};
   };
   [[nodiscard]] Derivatives DerivativesOver(const EtaBox& box, const MapRanges& map) const;
-  /// Bounds the rounding of values and of their derivatives by xi over a box, both of kernels and
-  /// of ValuesAt.
-  struct Errors
-  {
-    double value;
-    double slope;
-  };
   [[nodiscard]] Errors ErrorsWith(const Derivatives& derivatives) const;
 
-  ~EdgeFunctions();
   EdgeFunctions(const EdgeFunctions&) = delete;
   EdgeFunctions& operator=(const EdgeFunctions&) = delete;
 
@@ -147,9 +153,10 @@ private:
     int count;
     std::optional<QuotientModes> quotient;
     bool known;
+    std::unique_ptr<const ElementJet> jet;
   };
-  static Modes ModesOf(
-    const Mesh& mesh, int element, const Field& field, int component, double rounding);
+  static Modes ModesOf(const Mesh& mesh, const ElementBounds& bounds, int element,
+    const Field& field, int component, double rounding);
   EdgeFunctions(
     const Mesh& mesh, const ElementBounds& bounds, int element, Modes modes, double rounding);
   [[nodiscard]] std::vector<EdgePolynomials::Function> Functions() const;
@@ -165,7 +172,12 @@ private:
   template <class Visit>
   void WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const;
   [[nodiscard]] Interval ValuesOf(std::span<const Interval> components) const;
-  [[nodiscard]] std::size_t NumberOf(const PieceForm::Piece& piece) const;
+  [[nodiscard]] JetBounds JetOver(const EtaBox& box) const;
+  [[nodiscard]] std::unique_ptr<const PolynomialBatch> MakeJetBatch(
+    const PieceForm::Piece& piece) const;
+  [[nodiscard]] EtaBox PartOfBox(const EtaBox& box, const PieceForm::Piece& piece) const;
+  void AddJet(const JetBounds& jet, Derivatives& ranges) const;
+  [[nodiscard]] PointValues ValuesOfJet(std::span<const Vec3> xi) const;
   void ChooseLevel();
   /// Of `components` functions together, 4 times what the conversion to a part makes at most: the
   /// kernels make the same sums, but for the order of the factors (accuracy.md).
@@ -174,6 +186,7 @@ private:
   ScaledModes Map;
   ScaledModes Component;
   std::optional<ScaledModes> Divisor;
+  std::unique_ptr<const ElementJet> Jet; ///< of an expression, in place of the component
   KernelSet MapKernels;
   KernelSet ComponentKernels;
   int Count;
@@ -196,9 +209,9 @@ private:
   double MapError = 0.0;
   double MapSlopeError = 0.0;
   Interval Range;
-  std::unique_ptr<MadeOnDemand<EdgePolynomials>> Kept; ///< by piece
+  std::unique_ptr<PieceStore<EdgePolynomials>> Kept;
+  std::unique_ptr<PieceStore<PolynomialBatch>> JetPolynomials;
   std::unique_ptr<MadeOnDemand<EdgePolynomials::Cost>>
     Costs; ///< of halves in a piece, where there are some
-  mutable std::atomic<std::int64_t> Bytes{ 0 };
 };
 } // namespace pixelexact

@@ -23,6 +23,8 @@ namespace
 {
 /// What the expansion's error may be of the distance.
 constexpr double kCoarse = 0.25;
+/// The same of expressions.
+constexpr double kLooseInRegion = 1.0;
 constexpr int kRounds = 6;
 constexpr int kLocalRounds = 2;
 /// In xi: rounding of what is on a face.
@@ -272,14 +274,25 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     {
       curved = std::min(curved, local->Curved(away, slope, node.slopeError));
     }
+    // What is no polynomial, less its own linear expansion.
+    double loose = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      loose += 2.0 * node.beside[k] * away[k];
+    }
+    curved += loose;
+    const bool isLoose =
+      functions.HasJet() && curved > kLooseInRegion * (linear.upper - linear.lower);
     const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
     double most = curved + 2.0 * node.valueError;
     meeting = {};
     for (std::size_t k = 0; k < 3; ++k)
     {
       most += node.slope[k] * besides[k];
-      meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
-      meeting.curves = meeting.curves || (isWide && node.reach[k] > 2.0 * away[k]);
+      const bool isLarger = node.reach[k] > 2.0 * away[k];
+      meeting.bends =
+        meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k] || (isLoose && isLarger);
+      meeting.curves = meeting.curves || (isWide && isLarger);
     }
     most = most * kUp + kRoundoffs * (std::fabs(linear.lower) + std::fabs(linear.upper));
     meeting.values =

@@ -44,7 +44,7 @@ struct EdgeMeeting
 {
   std::optional<Interval> values; ///< hold those of the node in the region; nothing: there are none
   // Whether smaller nodes would tell more, because
-  bool bends = false;  ///< the map, or
+  bool bends = false;  ///< the map does, or the field is no polynomial, or
   bool curves = false; ///< the field does, over a node that is larger than the region
 };
 

@@ -25,6 +25,8 @@ constexpr double kMargin = 0.25;
 constexpr double kMostSolution = 10.0 / 3.0;
 /// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
 constexpr double kExplained = 0.125;
+/// Halvings of a box, on which the map is regular, after which bounds of the field are given up.
+constexpr int kMaxUnbounded = 12;
 /// Of bounds along straight lines, up to which those that are left are worth asking.
 constexpr double kSharper = 0.5;
 
@@ -201,6 +203,7 @@ void EdgeNode::DescribeCurves(
       shift[k] += std::fabs(inverse[k][c]) * kMostMiss * functions.Uncertainty()[c];
     }
   }
+  std::ranges::copy(derivatives.beside, beside);
   Solve(solution, lean);
   Solve(solution, shift);
   bool finite = true;
@@ -233,8 +236,11 @@ void EdgeNode::DescribeCurves(
   const auto [ofValues, ofSlopes] = functions.ErrorsWith(derivatives);
   valueError = ofValues;
   slopeError = ofSlopes;
-  regular = finite && std::isfinite(valueError) && std::isfinite(slopeError);
+  regular = finite && std::isfinite(valueError) && std::isfinite(slopeError) &&
+    std::isfinite(beside[0] + beside[1] + beside[2]);
   straight = straight && regular;
+  // Where an expression is still not bounded, it has a pole, or is not smooth.
+  flat = flat || (functions.HasJet() && !regular && halvings >= kMaxUnbounded);
 }
 
 void EdgeNode::DescribeSlopes(const EdgePolynomials::Curves& curves)

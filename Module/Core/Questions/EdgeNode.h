@@ -66,7 +66,10 @@ struct EdgeNode
   std::unique_ptr<const MapModel> model; ///< where it tells much more than the affine map
   double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
   double slope[3]{};   ///< |dF / dxi|
-  double curve[6]{};   ///< |F''| + slope . bend: of F along straight lines in the world
+  /// F is the sum of a function with the second derivatives below and of one whose derivatives by
+  /// xi are no larger than this: 0 of polynomials.
+  double beside[3]{};
+  double curve[6]{}; ///< |F''| + slope . bend: of F along straight lines in the world
   /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. Of a norm, of
   /// the norm of F''.
   std::array<std::array<Interval, 6>, 4> second;

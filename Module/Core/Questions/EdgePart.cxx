@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace pixelexact
 {
@@ -20,6 +21,8 @@ namespace
 {
 /// Of the sine of the angle between two sides of a triangle, squared: below, it is a line.
 constexpr double kFlat = 1e-6;
+/// Of the width of bounds: a larger part that falls with the node is worth smaller nodes.
+constexpr double kLooseOfPart = 0.5;
 
 /// A part of a plane as seen from a triangle's first corner: x = x0 + s (x1 - x0) + t (x2 - x0).
 struct InTriangle
@@ -158,7 +161,28 @@ std::optional<PlanarValues> EdgeBounds::Over(const std::array<LocatedPoint, 3>& 
   {
     return std::nullopt;
   }
-  const EdgeNode& node = Tree.LeafAt(triangle[0].eta, work);
+  const EdgeNode* node = &Tree.LeafAt(triangle[0].eta, work);
+  std::optional<PlanarValues> found = OverIn(*node, triangle, part, wanted);
+  const std::array etas{ triangle[0].eta, triangle[1].eta, triangle[2].eta };
+  while (found && found->loose > kLooseOfPart * found->values.Width() &&
+    wanted.Meets(found->values.lower, found->values.upper))
+  {
+    node = Tree.SmallerWith(*node, etas, work);
+    std::optional<PlanarValues> smaller =
+      node != nullptr ? OverIn(*node, triangle, part, wanted) : std::nullopt;
+    if (!smaller)
+    {
+      break;
+    }
+    found = std::move(smaller);
+  }
+  return found;
+}
+
+std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
+  const std::array<LocatedPoint, 3>& triangle, const WideOutline& part,
+  const ValueSet& wanted) const
+{
   const auto corners = part.outline.Corners();
   const std::optional<InTriangle> seen =
     node.regular && node.wide.Holds(triangle[1].eta) && node.wide.Holds(triangle[2].eta)
@@ -303,8 +327,14 @@ std::optional<PlanarValues> EdgeBounds::Over(const std::array<LocatedPoint, 3>& 
     return Interval(
       rounding::Below(linear.lower - by(curved)), rounding::Above(linear.upper + by(curved)));
   };
-  double curved = halfOf(node.curve, way);
-  PlanarValues found{ widened(curved) };
+  double notPolynomial = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    notPolynomial +=
+      node.beside[k] * (way[k] + seen->mostS * along[0][k] + seen->mostT * along[1][k]);
+  }
+  double curved = halfOf(node.curve, way) + notPolynomial;
+  PlanarValues found{ widened(curved), Functions.HasJet() ? curved : 0.0 };
   const auto isOpen = [&] { return wanted.Meets(found.values.lower, found.values.upper); };
   if (node.slopes && isOpen())
   {
@@ -313,7 +343,7 @@ std::optional<PlanarValues> EdgeBounds::Over(const std::array<LocatedPoint, 3>& 
       sharpen();
     }
     local->Reach(Farthest(ways));
-    double own = BentBetween(*seen, ways, local->curve, local->curves);
+    double own = BentBetween(*seen, ways, local->curve, local->curves) + notPolynomial;
     for (std::size_t k = 0; k < 3; ++k)
     {
       own += node.slope[k] * bent[k];

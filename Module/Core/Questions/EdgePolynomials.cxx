@@ -223,11 +223,11 @@ EdgePolynomials::MapHulls EdgePolynomials::MapOver(const Box3& within) const
   return map;
 }
 
-std::vector<Vec3> EdgePolynomials::PlacesIn(const EtaBox& box, const Degrees& degree) const
+std::vector<Vec3> EdgePolynomials::PlacesIn(
+  Shape shape, const EtaBox& box, const Vec3& origin, const Degrees& degree)
 {
   // A coordinate of xi is a product of functions of one eta each, which are of degree 1: its
   // coefficients are its values on the coefficients' grid.
-  const Vec3 centre = CentreOf(TheShape, box);
   std::vector<Vec3> places;
   places.reserve(CoefficientCount(degree));
   const auto at = [&](int d, int i) {
@@ -239,7 +239,7 @@ std::vector<Vec3> EdgePolynomials::PlacesIn(const EtaBox& box, const Degrees& de
     {
       for (int k = 0; k <= degree[2]; ++k)
       {
-        places.push_back(TensorToReference(TheShape, { at(0, i), at(1, j), at(2, k) }) - centre);
+        places.push_back(TensorToReference(shape, { at(0, i), at(1, j), at(2, k) }) - origin);
       }
     }
   }
@@ -258,9 +258,10 @@ EdgePolynomials::Hulls EdgePolynomials::Over(
   Hulls hulls;
   if (bounded)
   {
+    const Vec3 centre = CentreOf(TheShape, *box);
     hulls.curves.emplace();
     std::array<AffineBound, 3 * kBends> ofMap;
-    Bends.BoundsOver(within, bends, PlacesIn(*box, Bends.Degree()), ofMap);
+    Bends.BoundsOver(within, bends, PlacesIn(TheShape, *box, centre, Bends.Degree()), ofMap);
     for (std::size_t c = 0; c < 3; ++c)
     {
       std::copy_n(ofMap.begin() + static_cast<std::ptrdiff_t>(kBends * c), kBends,
@@ -268,8 +269,8 @@ EdgePolynomials::Hulls EdgePolynomials::Over(
     }
     if (field.size() == kOfEach)
     {
-      Field.BoundsOver(
-        within, field, PlacesIn(*box, Field.Degree()), hulls.curves->functions.emplace_back());
+      Field.BoundsOver(within, field, PlacesIn(TheShape, *box, centre, Field.Degree()),
+        hulls.curves->functions.emplace_back());
     }
   }
   else

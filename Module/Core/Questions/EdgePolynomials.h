@@ -77,11 +77,14 @@ public:
   /// `box`: the same part in eta, for `curves`; null: without them.
   [[nodiscard]] Hulls Over(const Box3& within, const MapHulls& map, const EtaBox* box) const;
 
+  /// The coefficients of xi - `origin` over a box, in Bernstein form of this degree, 1 at least in
+  /// each direction.
+  [[nodiscard]] static std::vector<Vec3> PlacesIn(
+    Shape shape, const EtaBox& box, const Vec3& origin, const Degrees& degree);
+
 private:
   /// Second derivatives by eta become those by xi.
   void MakeByXi(const Box3& within, Hulls& hulls) const;
-  /// Of the coefficients of xi over a box, less its middle.
-  [[nodiscard]] std::vector<Vec3> PlacesIn(const EtaBox& box, const Degrees& degree) const;
   EdgePolynomials(Shape shape, PolynomialBatch map, PolynomialBatch bends, PolynomialBatch field);
   /// `ofMap`: HessianFunction's polynomials of the map.
   EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,

@@ -5,8 +5,11 @@
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/EdgeFunctions.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -14,9 +17,6 @@ namespace pixelexact
 {
 namespace
 {
-/// What all elements' polynomials may take; of others they are made each time.
-constexpr std::int64_t kMostBytes = std::int64_t{ 256 } << 20;
-std::atomic<std::int64_t> bytesKept{ 0 };
 /// Of two halves, in nanoseconds, beside what their polynomials cost (EdgePolynomials); and the
 /// part of that of pieces that are side by side, in most of which a box ends nowhere.
 constexpr std::int64_t kCostOfNodes = 25000;
@@ -29,6 +29,70 @@ AffineBound Scaled(const AffineBound& bound, int exponent)
   const double by = std::ldexp(1.0, exponent);
   return { by * bound.value, { by * bound.slope[0], by * bound.slope[1], by * bound.slope[2] },
     by * bound.radius + std::numeric_limits<double>::min() };
+}
+
+Vec3 ReachOf(const Box3& hull, const Vec3& centre)
+{
+  return glm::max(hull.upper - centre, centre - hull.lower) * edges::kUp + 1e-15;
+}
+
+/// As a function of (xi - the middle) / reach.
+AffineForm FormOver(const AffineBound& bound, const Vec3& reach)
+{
+  AffineForm form;
+  form.a = bound.value;
+  double size = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    form.b[k] = bound.slope[k] * reach[static_cast<int>(k)];
+    size += std::fabs(form.b[k]);
+  }
+  const double radius =
+    (bound.radius + edges::kRoundoffs * size) * edges::kUp + std::numeric_limits<double>::min();
+  form.e = { -radius, radius };
+  return form;
+}
+
+/// The other way round.
+AffineBound BoundOf(const AffineForm& form, const Vec3& reach)
+{
+  AffineBound bound;
+  const double middle = form.e.Middle();
+  bound.value = form.a + middle;
+  double size = std::fabs(form.a) + std::fabs(middle);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    bound.slope[k] = form.b[k] / reach[static_cast<int>(k)];
+    size += std::fabs(form.b[k]);
+  }
+  bound.radius = (form.e.RadiusAround(middle) + edges::kRoundoffs * size) * edges::kUp +
+    std::numeric_limits<double>::min();
+  return bound;
+}
+
+/// Of two parts of a box: the slopes' ranges.
+JetBounds Join(const JetBounds& a, const JetBounds& b)
+{
+  JetBounds both = a;
+  both.values = Join(a.values, b.values);
+  both.isContinuous = a.isContinuous && b.isContinuous;
+  both.valueError = std::max(a.valueError, b.valueError);
+  both.slopeError = std::max(a.slopeError, b.slopeError);
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    both.slopes[j] = {};
+    both.slopes[j].e = Join(a.slopes[j].Range(), b.slopes[j].Range());
+  }
+  both.seconds.reset();
+  if (a.seconds && b.seconds)
+  {
+    both.seconds.emplace();
+    for (std::size_t p = 0; p < 6; ++p)
+    {
+      (*both.seconds)[p].e = Join((*a.seconds)[p].Range(), (*b.seconds)[p].Range());
+    }
+  }
+  return both;
 }
 
 Interval Widened(const Interval& range, double slack)
@@ -71,11 +135,6 @@ Interval Divide(HessianFunction::XiRanges& ranges, const HessianFunction::XiRang
 }
 } // namespace
 
-EdgeFunctions::~EdgeFunctions()
-{
-  bytesKept -= Bytes.load();
-}
-
 template <class Visit>
 void EdgeFunctions::ForEachPiece(const EtaBox& box, const Visit& visit) const
 {
@@ -95,7 +154,6 @@ void EdgeFunctions::ForEachPiece(const EtaBox& box, const Visit& visit) const
 template <class Visit>
 void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const
 {
-  const std::size_t at = NumberOf(piece);
   const auto make = [&]
   {
     auto full = std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece);
@@ -103,21 +161,7 @@ void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& 
     auto lowered = Level > 0 ? full->Lowered() : nullptr;
     return lowered ? std::move(lowered) : std::move(full);
   };
-  const EdgePolynomials* made = Kept->IfMade(at);
-  if (!made && bytesKept.load(std::memory_order_relaxed) < kMostBytes)
-  {
-    made = &Kept->Get(at, make);
-    // Once more, where two threads made them: a bound all the same, until it is all given back.
-    bytesKept += static_cast<std::int64_t>(made->Bytes());
-    Bytes += static_cast<std::int64_t>(made->Bytes());
-  }
-  visit(made ? *made : *make());
-}
-
-std::size_t EdgeFunctions::NumberOf(const PieceForm::Piece& piece) const
-{
-  const int number = (((piece[0] << Level) + piece[1]) << Level) + piece[2];
-  return static_cast<std::size_t>(number);
+  Kept->With(piece, make, visit);
 }
 
 std::int64_t EdgeFunctions::HalvingCost(const EtaBox& box) const
@@ -132,7 +176,7 @@ std::int64_t EdgeFunctions::HalvingCost(const EtaBox& box) const
   ForEachPiece(box,
     [&](const PieceForm::Piece& piece, const Box3& /*within*/)
     {
-      const EdgePolynomials::Cost& own = Costs->Get(NumberOf(piece),
+      const EdgePolynomials::Cost& own = Costs->Get(Kept->NumberOf(piece),
         [&]
         {
           auto cost = std::make_unique<EdgePolynomials::Cost>();
@@ -193,6 +237,10 @@ Interval EdgeFunctions::ValuesOf(std::span<const Interval> components) const
 
 Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
 {
+  if (Jet)
+  {
+    return JetOver(box).values;
+  }
   std::vector<Interval> components;
   for (int c = 0; c < Count; ++c)
   {
@@ -246,7 +294,7 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
   const EtaBox& box, const MapRanges& map) const
 {
   Derivatives ranges;
-  const auto count = static_cast<std::size_t>(Count);
+  const auto count = Jet ? 0 : static_cast<std::size_t>(Count);
   const bool bounded = map.ofPieces.size() == 1 && Count == 1 && !Divisor;
   std::vector<Interval> values(count + (Divisor ? 1 : 0));
   ranges.components.resize(values.size());
@@ -299,7 +347,15 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
     {
       scale(bounds, Map.exponent);
     }
-    scale(ranges.curves->functions.front(), Component.exponent);
+    if (!Jet)
+    {
+      scale(ranges.curves->functions.front(), Component.exponent);
+    }
+  }
+  if (Jet)
+  {
+    AddJet(JetOver(box), ranges);
+    return ranges;
   }
   if (Divisor)
   {
@@ -319,6 +375,118 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
   }
   ranges.values = ValuesOf(values);
   return ranges;
+}
+
+/// What all pieces that the box meets tell of the jet. The slopes are those of a jet in one piece;
+/// of several, their ranges.
+JetBounds EdgeFunctions::JetOver(const EtaBox& box) const
+{
+  const Box3 hull = HullInXi(GetShape(), box);
+  const Vec3 centre = CentreOf(GetShape(), box);
+  const Vec3 reach = ReachOf(hull, centre);
+  JetBounds all;
+  int number = 0;
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      JetBounds own;
+      JetPolynomials->With(
+        piece, [&] { return MakeJetBatch(piece); },
+        [&](const PolynomialBatch& batch)
+        {
+          std::vector<Interval> hulls(batch.Count());
+          std::vector<AffineBound> bounds(batch.Count());
+          batch.BoundsOver(within, hulls,
+            EdgePolynomials::PlacesIn(GetShape(), PartOfBox(box, piece), centre, batch.Degree()),
+            bounds);
+          std::vector<AffineForm> forms;
+          std::ranges::transform(bounds, std::back_inserter(forms),
+            [&reach](const AffineBound& bound) { return FormOver(bound, reach); });
+          own = Jet->Over(forms, hulls);
+          own.reach = reach;
+        });
+      all = number++ == 0 ? own : Join(all, own);
+    });
+  return all;
+}
+
+std::unique_ptr<const PolynomialBatch> EdgeFunctions::MakeJetBatch(
+  const PieceForm::Piece& piece) const
+{
+  const std::vector<BoxPolynomial> polynomials = Jet->Polynomials(Level, piece);
+  // At least affine in each direction, as xi is.
+  Degrees degree{ 1, 1, 1 };
+  for (const BoxPolynomial& one : polynomials)
+  {
+    std::ranges::transform(
+      degree, one.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+  }
+  return std::make_unique<const PolynomialBatch>(degree, polynomials);
+}
+
+EtaBox EdgeFunctions::PartOfBox(const EtaBox& box, const PieceForm::Piece& piece) const
+{
+  EtaBox part = box;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double first = std::ldexp(piece[static_cast<std::size_t>(d)], 1 - Level) - 1.0;
+    part.lower[d] = std::max(part.lower[d], first);
+    part.upper[d] = std::min(part.upper[d], first + std::ldexp(1.0, 1 - Level));
+  }
+  return part;
+}
+
+/// Where second derivatives are not available, the function is P + E with a quadratic P, whose
+/// second derivatives are the symmetric part of the slopes' own, and |E'| at most `beside`.
+void EdgeFunctions::AddJet(const JetBounds& jet, Derivatives& ranges) const
+{
+  ranges.values = jet.values;
+  ranges.errors = { jet.valueError, jet.slopeError };
+  if (!jet.isContinuous)
+  {
+    ranges.errors.value = kInfinity;
+  }
+  HessianFunction::XiRanges& own = ranges.components.emplace_back();
+  const Vec3& reach = jet.reach;
+  double by[3][3];
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    own.first[j] = jet.slopes[j].Range();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      by[j][k] = jet.slopes[j].b[k] / reach[static_cast<int>(k)];
+    }
+  }
+  EdgePolynomials::SecondBounds seconds;
+  for (std::size_t p = 0; p < 6 && jet.seconds; ++p)
+  {
+    own.second[p] = (*jet.seconds)[p].Range();
+    seconds[p] = BoundOf((*jet.seconds)[p], reach);
+  }
+  for (std::size_t p = 0; p < 6 && !jet.seconds; ++p)
+  {
+    const double second =
+      0.5 * (by[edges::kRows[p]][edges::kColumns[p]] + by[edges::kColumns[p]][edges::kRows[p]]);
+    own.second[p] = second;
+    seconds[p] = { second, {}, 0.0 };
+  }
+  for (std::size_t j = 0; j < 3 && !jet.seconds; ++j)
+  {
+    const AffineForm& slope = jet.slopes[j];
+    double beside = 0.5 * slope.e.Width();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double half = 0.5 * (by[j][k] - by[k][j]);
+      beside +=
+        (std::fabs(half) + edges::kRoundoffs * (std::fabs(by[j][k]) + std::fabs(by[k][j]))) *
+        reach[static_cast<int>(k)];
+    }
+    ranges.beside[j] = beside * edges::kUp;
+  }
+  if (ranges.curves)
+  {
+    ranges.curves->functions.push_back(seconds);
+  }
 }
 
 Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
@@ -348,6 +516,10 @@ Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
 
 EdgeFunctions::Errors EdgeFunctions::ErrorsWith(const Derivatives& derivatives) const
 {
+  if (Jet)
+  {
+    return derivatives.errors;
+  }
   if (!Divisor)
   {
     return { Error, SlopeError };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/EdgeTree.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace pixelexact
@@ -55,6 +56,24 @@ bool EdgeTree::Affords(const EdgeNode& node, EdgeWork& work) const
   const double cost = work.PartOf({ sides.x, sides.y, sides.z }) *
     static_cast<double>(Functions.HalvingCost(node.wide));
   return work.Affords(node, static_cast<std::int64_t>(cost));
+}
+
+const EdgeNode* EdgeTree::SmallerWith(
+  const EdgeNode& node, std::span<const Vec3> etas, EdgeWork* work) const
+{
+  if (!CanSplit(node, work))
+  {
+    return nullptr;
+  }
+  for (const EdgeNode& half : Split(node))
+  {
+    if (half.regular &&
+      std::ranges::all_of(etas, [&half](const Vec3& eta) { return half.wide.Holds(eta); }))
+    {
+      return &half;
+    }
+  }
+  return nullptr;
 }
 
 const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work, bool straight) const

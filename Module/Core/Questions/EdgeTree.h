@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <mutex>
+#include <span>
 
 namespace pixelexact
 {
@@ -32,6 +33,10 @@ public:
     return !node.flat && node.halvings < Functions.Deepest(node.regular) &&
       (!work || Affords(node, *work));
   }
+  /// The regular half of a regular node that holds all of these eta, with its margin; null where
+  /// there is none, or no work is left for it.
+  [[nodiscard]] const EdgeNode* SmallerWith(
+    const EdgeNode& node, std::span<const Vec3> etas, EdgeWork* work) const;
   /// The largest regular node with this eta, that is straight, too, if so wanted; the last one,
   /// where there is none.
   [[nodiscard]] const EdgeNode& LeafAt(

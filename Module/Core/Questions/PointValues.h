@@ -17,6 +17,7 @@ struct PointValues
   double values[3][kRoom];
   double slopes[9][kRoom];
 
+  PointValues() = default;
   /// The functions are `scale` times those of the modes.
   PointValues(const KernelSet& kernels, const Space& space, const double* modes, int components,
     double scale, std::span<const Vec3> points)

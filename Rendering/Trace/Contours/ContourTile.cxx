@@ -287,7 +287,7 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
 {
   LayerSight sight(Tile, layer.number);
   const Surface& surface = sight.GetSurface();
-  if (layer.bounds->IsOfFunction())
+  if (layer.bounds->IsUnknown())
   {
     LeaveOpen(layer.number);
     return;

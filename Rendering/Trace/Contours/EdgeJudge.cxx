@@ -129,8 +129,9 @@ ValueSet EdgeJudge::NotOn(int side) const
 EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
   const EdgeBounds& bounds = Bounds.Of(a.element);
-  const auto range =
-    std::isfinite(edge.sagitta) ? bounds.Along(a.point, b.point, edge.sagitta, Work) : std::nullopt;
+  const auto range = std::isfinite(edge.sagitta)
+    ? bounds.Along(a.point, b.point, edge.sagitta, Work, &Wanted)
+    : std::nullopt;
   if (!range)
   {
     return EdgeFinding::Uncovered;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Base/MadeOnDemand.h"
+#include "Core/Element/FieldFunction.h"
 #include "Core/Questions/EdgeBounds.h"
 #include "Core/Questions/Plateau.h"
 #include "Trace/Scene.h"
@@ -25,8 +26,12 @@ public:
   LayerBounds(const LayerBounds&) = delete;
   LayerBounds& operator=(const LayerBounds&) = delete;
 
-  /// Whether the field is a function without coefficients, of which nothing is known but values.
-  [[nodiscard]] bool IsOfFunction() const { return TheField.function != nullptr; }
+  /// Whether nothing is known of the field but its values: of expressions with jumps, with normals
+  /// or without a gradient.
+  [[nodiscard]] bool IsUnknown() const
+  {
+    return TheField.function != nullptr && !TheField.function->HasJets();
+  }
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Base/MadeOnDemand.h"
+#include "Core/Bernstein/PieceForm.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+namespace pixelexact
+{
+/// The bytes that all stores of the process keep.
+class PieceBytes
+{
+public:
+  static constexpr std::int64_t kMaxBytes = std::int64_t{ 256 } << 20;
+
+  static bool AreLeft() { return Kept.load(std::memory_order_relaxed) < kMaxBytes; }
+  static void Add(std::int64_t bytes) { Kept.fetch_add(bytes, std::memory_order_relaxed); }
+
+private:
+  inline static std::atomic<std::int64_t> Kept{ 0 };
+};
+
+/// What is made of an element's polynomials over each piece of the cube (PieceForm): made where
+/// somebody first asks, and kept as long as all stores of the process together stay within
+/// PieceBytes::kMaxBytes; beyond that it is made anew for each caller. Which of the two happens
+/// changes no number. Safe to use from several threads. `T` has Bytes().
+template <class T>
+class PieceStore
+{
+public:
+  /// Of the 2^level pieces along each direction.
+  explicit PieceStore(int level)
+    : Level(level)
+    , Kept(std::size_t{ 1 } << (3 * level))
+  {
+  }
+  ~PieceStore() { PieceBytes::Add(-Bytes.load()); }
+  PieceStore(const PieceStore&) = delete;
+  PieceStore& operator=(const PieceStore&) = delete;
+
+  /// The number of a piece, from 0.
+  [[nodiscard]] std::size_t NumberOf(const PieceForm::Piece& piece) const
+  {
+    const int number = (((piece[0] << Level) + piece[1]) << Level) + piece[2];
+    return static_cast<std::size_t>(number);
+  }
+
+  /// Calls visit(const T&) with what make() returns as a unique_ptr<const T>.
+  template <class Make, class Visit>
+  void With(const PieceForm::Piece& piece, const Make& make, const Visit& visit) const
+  {
+    const std::size_t at = NumberOf(piece);
+    const T* made = Kept.IfMade(at);
+    if (made == nullptr && PieceBytes::AreLeft())
+    {
+      made = &Kept.Get(at, make);
+      // Once more, where two threads made them: a bound all the same, until it is all given back.
+      const auto bytes = static_cast<std::int64_t>(made->Bytes());
+      PieceBytes::Add(bytes);
+      Bytes.fetch_add(bytes, std::memory_order_relaxed);
+    }
+    visit(made != nullptr ? *made : *make());
+  }
+
+private:
+  int Level;
+  MadeOnDemand<T> Kept;
+  mutable std::atomic<std::int64_t> Bytes{ 0 };
+};
+} // namespace pixelexact

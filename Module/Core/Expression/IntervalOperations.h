@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Expression/Graph.h"
+#include "Core/Math/Interval.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// What is known of a node's value: it is in the interval, or NaN.
+struct KnownInterval
+{
+  Interval value{ 0.0 };
+  /// True wherever the interval is not finite: where a function is not defined on all of its
+  /// argument, the interval is everything.
+  bool mayBeNaN = false;
+};
+
+/// Encloses the values of an operation of one argument. Arithmetic is rounded outwards. Functions
+/// of the C library (sin, exp, pow, ...) are assumed to be off by 16 units in the last place at
+/// most (glibc states 1 to 4). Everything, -inf to inf, where the function is not defined on all of
+/// `a`.
+[[nodiscard]] Interval FunctionOf(Operation operation, const Interval& a);
+
+/// The same of any operation with arguments, NaN included.
+[[nodiscard]] KnownInterval ApplyToIntervals(
+  const Graph::Node& node, std::span<const KnownInterval> arguments);
+} // namespace pixelexact
