@@ -378,7 +378,7 @@ BoxValue Applied(Operation operation, std::initializer_list<BoxValue> arguments)
 
 BoxValue operator+(const BoxValue& f, const BoxValue& g)
 {
-  return Finished(f.form + g.form, f.known.value + g.known.value, f, g, f.error + g.error);
+  return Finished(f.form + g.form, SumOf(f.known.value, g.known.value), f, g, f.error + g.error);
 }
 
 BoxValue operator-(const BoxValue& f, const BoxValue& g)
@@ -388,7 +388,7 @@ BoxValue operator-(const BoxValue& f, const BoxValue& g)
 
 BoxValue operator*(const BoxValue& f, const BoxValue& g)
 {
-  return Finished(f.form * g.form, f.known.value * g.known.value, f, g,
+  return Finished(f.form * g.form, ProductOf(f.known.value, g.known.value), f, g,
     f.known.value.Magnitude() * g.error + g.known.value.Magnitude() * f.error + f.error * g.error);
 }
 

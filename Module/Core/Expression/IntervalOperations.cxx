@@ -171,11 +171,11 @@ Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
     case Operation::Negate:
       return -a[0];
     case Operation::Add:
-      return a[0] + a[1];
+      return SumOf(a[0], a[1]);
     case Operation::Subtract:
       return a[0] - a[1];
     case Operation::Multiply:
-      return node.arguments[0] == node.arguments[1] ? Square(a[0]) : a[0] * a[1];
+      return node.arguments[0] == node.arguments[1] ? Square(a[0]) : ProductOf(a[0], a[1]);
     case Operation::Divide:
       return a[0] / a[1];
     case Operation::Power:
@@ -200,6 +200,19 @@ Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
   }
 }
 } // namespace
+
+Interval SumOf(const Interval& a, const Interval& b)
+{
+  const Interval sum = a + b;
+  return a.lower >= 0.0 && b.lower >= 0.0 ? Interval(std::max(sum.lower, 0.0), sum.upper) : sum;
+}
+
+Interval ProductOf(const Interval& a, const Interval& b)
+{
+  const Interval product = a * b;
+  return a.lower >= 0.0 && b.lower >= 0.0 ? Interval(std::max(product.lower, 0.0), product.upper)
+                                          : product;
+}
 
 Interval FunctionOf(Operation operation, const Interval& a)
 {

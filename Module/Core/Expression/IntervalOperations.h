@@ -17,6 +17,11 @@ struct KnownInterval
   bool mayBeNaN = false;
 };
 
+/// a + b and a b, not below 0 where neither is: rounding outwards alone would leave sums of squares
+/// without a root.
+[[nodiscard]] Interval SumOf(const Interval& a, const Interval& b);
+[[nodiscard]] Interval ProductOf(const Interval& a, const Interval& b);
+
 /// Encloses the values of an operation of one argument. Arithmetic is rounded outwards. Functions
 /// of the C library (sin, exp, pow, ...) are assumed to be off by 16 units in the last place at
 /// most (glibc states 1 to 4). Everything, -inf to inf, where the function is not defined on all of
