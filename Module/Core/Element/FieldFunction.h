@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Math/Vec.h"
 
 #include <memory>
 
 namespace pixelexact
 {
+class ElementJet;
+class ElementQuantity;
 struct Mesh;
 
 /// Lower and upper bounds, as arrays over points.

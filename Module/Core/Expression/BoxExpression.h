@@ -3,8 +3,7 @@
 
 #include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Element/RangeIngredients.h"
-#include "Core/Expression/BoxValue.h"
+#include "Core/Expression/BoxLeaves.h"
 #include "Core/Expression/CompiledGraph.h"
 #include "Core/Expression/NodeList.h"
 
@@ -16,97 +15,6 @@
 
 namespace pixelexact
 {
-/// The map's derivatives by xi over a box, in world units.
-struct JacobianValues
-{
-  std::array<BoxValue, 9> first; ///< row-major
-  /// 11, 12, 13, 22, 23, 33 of each coordinate; unknown where they are not needed.
-  std::array<std::array<BoxValue, 6>, 3> second;
-};
-
-/// Leaves of a graph on one element, over boxes: the polynomials in eta that they are made of, and
-/// what each leaf is for given enclosures of those. Derivatives by x are made of derivatives by xi
-/// and the inverse Jacobian.
-///
-/// Of mapped fields (H(curl), H(div), densities) values are known, of others values and first and
-/// second derivatives. Nothing is known of normals and of what lies behind faces, nor, in pyramids,
-/// of second derivatives.
-class BoxLeaves
-{
-public:
-  /// `fields`, `numbers` and the mesh must outlive it.
-  BoxLeaves(std::span<const Graph::Node> leaves, std::span<const Field* const> fields,
-    std::span<const std::int64_t> numbers, const Mesh& mesh, int element);
-
-  [[nodiscard]] bool IsFinite() const { return Finite; }
-  /// The level on which all of the polynomials are converted.
-  [[nodiscard]] int Level() const { return TheLevel; }
-  [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
-    int level, const PieceForm::Piece& piece, const Box3& within) const;
-  /// `polynomials`: enclosures of those, in their order. Writes one value for each leaf, and d Phi
-  /// / d xi in world units, row-major, to `jacobian` where that is given.
-  void Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
-    JacobianValues* jacobian = nullptr) const;
-
-  /// The Jacobian is needed, and bounds of rounding: how far the kernels' values of the polynomials
-  /// are off, in their order, goes into Evaluate. `coordinateErrors`: see FieldFunction.
-  void NeedJet(const Vec3& coordinateErrors, bool withSeconds);
-  /// Of the polynomials, bounds of the rounding of the kernels' values.
-  [[nodiscard]] std::span<const double> Errors() const { return OfKernels; }
-
-private:
-  /// Of a component of a field or of the map: the places of the value and of the first of three
-  /// derivatives by xi in the list of polynomials; -1: it is not in the list.
-  struct Places
-  {
-    int value = -1;
-    int slope = -1;
-    bool hasSeconds = false;   ///< second derivatives come last, in the order of the components
-    bool hasThirds = false;    ///< and third ones behind them
-    double secondsError = 0.0; ///< of the kernels' second derivatives by xi
-  };
-  struct NeededField
-  {
-    const Field* field = nullptr;
-    std::unique_ptr<const ScaledModes> modes; ///< null: the field is not needed
-    std::vector<Places> components;
-  };
-  struct Products;
-  struct WorldDerivatives;
-  void Need(const Graph::Node& leaf);
-  void NeedJacobian();
-  void Choose(const ScaledModes& modes, int component, bool slopes, Places& places);
-  [[nodiscard]] double UnitOfMap() const;
-  [[nodiscard]] Products ProductsOf(std::span<const BoxValue> p) const;
-  [[nodiscard]] BoxValue LeafOf(
-    const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
-  [[nodiscard]] BoxValue FieldValue(
-    const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
-  [[nodiscard]] BoxValue FieldDerivative(const Graph::Node& leaf, const Products& products) const;
-  template <class Visit>
-  void ForEachDifferentiated(const Visit& visit) const;
-  [[nodiscard]] static WorldDerivatives InWorld(const Products& products,
-    std::span<const BoxValue> slopes, const std::array<BoxValue, 6>& seconds,
-    std::span<const BoxValue> thirds, const Places& places);
-
-  std::vector<Graph::Node> Leaves;
-  Mesh TheMesh;
-  int Element;
-  ScaledModes Map;
-  std::array<Places, 3> OfMap;
-  std::vector<NeededField> Fields;
-  std::vector<RangeIngredient> Ingredients;
-  bool NeedsJacobian = false;
-  bool NeedsXi = false;
-  bool NeedsSeconds = false;
-  bool NeedsThirds = false;
-  int TheLevel = 0;
-  bool Finite = true;
-  Vec3 OfCoordinates{ 0.0 };
-  std::vector<double> OfKernels;
-  double OfBends = 0.0; ///< second derivatives of the map
-};
-
 /// A node of a graph on one element.
 class BoxExpression final : public ElementQuantity
 {

@@ -31,7 +31,6 @@ struct BoxValue
   }
   /// A scalar of which the range alone is known.
   explicit BoxValue(const KnownInterval& interval);
-  explicit BoxValue(const AffineForm& itsForm);
   /// `range` and the form's own are both proven.
   BoxValue(const AffineForm& itsForm, const KnownInterval& interval);
 
@@ -51,6 +50,8 @@ BoxValue operator*(const BoxValue& f, const BoxValue& g);
 BoxValue Square(const BoxValue& f);
 BoxValue Reciprocal(const BoxValue& f);
 BoxValue Sqrt(const BoxValue& f);
+/// The Euclidean norm.
+BoxValue NormOf(std::span<const BoxValue> values);
 
 /// Computes a node that has arguments. Functions are linearised about the middle of the argument's
 /// range, with the range of their derivative (the mean value form); where that is not bounded, and

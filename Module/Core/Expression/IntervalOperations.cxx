@@ -269,6 +269,44 @@ Interval FunctionOf(Operation operation, const Interval& a)
   }
 }
 
+Interval SlopeOf(Operation operation, const Interval& a)
+{
+  const Interval one(1.0);
+  const auto root = [&] { return Sqrt(one - Square(a)); };
+  switch (operation)
+  {
+    case Operation::Sqrt:
+      return a.lower > 0.0 ? Interval(0.5) / Sqrt(a) : Interval::Everything();
+    case Operation::Exp:
+      return FunctionOf(Operation::Exp, a);
+    case Operation::Log:
+      return one / a;
+    case Operation::Sin:
+      return FunctionOf(Operation::Cos, a);
+    case Operation::Cos:
+      return -FunctionOf(Operation::Sin, a);
+    case Operation::Tan:
+      return one + Square(FunctionOf(Operation::Tan, a));
+    case Operation::Asin:
+      return one / root();
+    case Operation::Acos:
+      return Interval(-1.0) / root();
+    case Operation::Atan:
+      return one / (one + Square(a));
+    case Operation::Sinh:
+      return FunctionOf(Operation::Cosh, a);
+    case Operation::Cosh:
+      return FunctionOf(Operation::Sinh, a);
+    case Operation::Tanh:
+      return one - Square(FunctionOf(Operation::Tanh, a));
+    case Operation::Erf:
+      return Interval::Around(2.0 / std::sqrt(std::numbers::pi), 1e-15) *
+        FunctionOf(Operation::Exp, -Square(a));
+    default:
+      return Interval::Everything();
+  }
+}
+
 KnownInterval ApplyToIntervals(const Graph::Node& node, std::span<const KnownInterval> arguments)
 {
   std::array<Interval, Graph::kMaxArguments> values;

@@ -28,7 +28,10 @@ struct KnownInterval
 /// `a`.
 [[nodiscard]] Interval FunctionOf(Operation operation, const Interval& a);
 
-/// The same of any operation with arguments, NaN included.
+/// Encloses the values of the derivative of such an operation; everything where it is not known.
+[[nodiscard]] Interval SlopeOf(Operation operation, const Interval& a);
+
+/// Encloses the values of any operation with arguments, NaN included.
 [[nodiscard]] KnownInterval ApplyToIntervals(
   const Graph::Node& node, std::span<const KnownInterval> arguments);
 } // namespace pixelexact

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Expression/BoxLeaves.h"
+
+#include "Core/Element/HessianFunction.h"
+#include "Core/Element/JacobianAlgebra.h"
+#include "Core/Shape/Shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+// What leaves are over a box, from enclosures of the polynomials that they are made of.
+namespace pixelexact
+{
+namespace
+{
+/// Whatever the order of the directions.
+std::size_t ThirdAt(std::size_t a, std::size_t b, std::size_t c)
+{
+  // 111, 112, 113, 122, 123, 133, 222, 223, 233, 333
+  const std::size_t ones = (a == 0) + (b == 0) + (c == 0);
+  const std::size_t threes = (a == 2) + (b == 2) + (c == 2);
+  constexpr std::array<std::size_t, 4> kFirst{ 6, 3, 1, 0 };
+  return kFirst[ones] + threes;
+}
+
+template <class Visit>
+void ForEachTriple(const Visit& visit)
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t b = a; b < 3; ++b)
+    {
+      for (std::size_t c = b; c < 3; ++c)
+      {
+        visit(a, b, c);
+      }
+    }
+  }
+}
+
+/// A scalar times a power of two.
+BoxValue Scaled(const BoxValue& value, double factor)
+{
+  return std::isfinite(factor) && factor > 0.0 ? value * BoxValue(factor) : BoxValue::Unknown();
+}
+} // namespace
+
+/// Derivatives of a component of a field by x, in the order of the operations' numbers.
+struct BoxLeaves::WorldDerivatives
+{
+  std::array<BoxValue, 3> slopes;
+  std::array<BoxValue, 6> seconds;
+  std::array<BoxValue, kThirds> thirds;
+};
+
+/// What the leaves are made of besides the polynomials themselves, in the units of the modes.
+struct BoxLeaves::Products
+{
+  std::array<BoxValue, 9> jacobian;
+  BoxValue determinant;
+  BoxValue overDeterminant;
+  std::array<BoxValue, 9> inverse;              ///< d xi_j / d y_a at 3 j + a
+  std::array<std::array<BoxValue, 6>, 3> bends; ///< second derivatives of the map by xi
+  std::array<std::span<const BoxValue>, 3> thirdsOfMap;
+  /// By Places::derivatives.
+  std::vector<WorldDerivatives> fields;
+};
+
+BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
+{
+  Products products;
+  if (!NeedsJacobian)
+  {
+    return products;
+  }
+  std::array<BoxValue, 9>& J = products.jacobian;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    std::copy_n(p.begin() + OfMap[c].slope, 3, J.begin() + static_cast<std::ptrdiff_t>(3 * c));
+  }
+  products.determinant = Determinant<BoxValue>(J);
+  products.overDeterminant = Reciprocal(products.determinant);
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      products.inverse[3 * j + a] = Cofactor<BoxValue>(J, a, j) * products.overDeterminant;
+    }
+  }
+  // The polynomials of second and third derivatives are behind the others, in the same order as
+  // here.
+  std::span<const BoxValue> rest = p.subspan(Ingredients.size() + (NeedsXi ? 3 : 0));
+  std::array<BoxValue, 4> factors;
+  const auto take = [&rest](std::size_t count)
+  {
+    const std::span<const BoxValue> taken = rest.first(count);
+    rest = rest.subspan(count);
+    return taken;
+  };
+  BoxValue overH3;
+  BoxValue overH23;
+  const Shape shape = Map.space.shape;
+  // The kernels compute second derivatives in another way, and are off by these errors.
+  const auto secondsByXi = [&](double error)
+  {
+    auto seconds = HessianFunction::SecondsByXi<BoxValue>(
+      shape, take(6).first<6>(), factors[0], factors[1], overH3, overH23);
+    std::ranges::for_each(seconds, [error](BoxValue& second) { second.error = error; });
+    return seconds;
+  };
+  if (NeedsSeconds)
+  {
+    std::ranges::copy(take(4), factors.begin());
+    overH3 = Reciprocal(factors[3]);
+    overH23 = shape == Shape::Tetrahedron ? overH3 * Reciprocal(factors[2]) : overH3;
+    std::ranges::generate(products.bends, [&] { return secondsByXi(OfBends); });
+  }
+  std::vector<std::array<BoxValue, 6>> seconds;
+  std::vector<std::span<const BoxValue>> thirds;
+  ForEachDifferentiated(
+    [&](const NeededField& /*field*/, int /*component*/, const Places& places)
+    {
+      seconds.push_back(
+        places.hasSeconds ? secondsByXi(places.secondsError) : std::array<BoxValue, 6>());
+    });
+  for (std::size_t c = 0; c < 3 && NeedsThirds; ++c)
+  {
+    products.thirdsOfMap[c] = take(kThirds);
+  }
+  ForEachDifferentiated([&](const NeededField& /*field*/, int /*component*/, const Places& places)
+    { thirds.push_back(places.hasThirds ? take(kThirds) : std::span<const BoxValue>()); });
+  std::size_t k = 0;
+  ForEachDifferentiated(
+    [&](const NeededField& /*field*/, int /*component*/, const Places& places)
+    {
+      products.fields.push_back(InWorld(products,
+        p.subspan(static_cast<std::size_t>(places.slope), 3), seconds[k], thirds[k], places));
+      ++k;
+    });
+  return products;
+}
+
+template <class Visit>
+void BoxLeaves::ForEachDifferentiated(const Visit& visit) const
+{
+  for (const NeededField& needed : Fields)
+  {
+    for (std::size_t c = 0; c < needed.components.size(); ++c)
+    {
+      if (needed.components[c].slope >= 0)
+      {
+        visit(needed, static_cast<int>(c), needed.components[c]);
+      }
+    }
+  }
+}
+
+/// With derivatives u by xi and U by x, Phi the map, K = J^-1, and the chain rule:
+///
+///   U_a = u_j K_ja,   bent_jk = u_jk - U_m Phi_m,jk,   U_ab = bent_jk K_ja K_kb,
+///   B_jkl = u_jkl - U_m Phi_m,jkl - V_ml Phi_m,jk - V_mk Phi_m,jl - V_mj Phi_m,kl,
+///   V_mj = U_mn Phi_n,j = bent_ij K_im,   U_abc = B_jkl K_ja K_kb K_lc.
+BoxLeaves::WorldDerivatives BoxLeaves::InWorld(const Products& products,
+  std::span<const BoxValue> slopes, const std::array<BoxValue, 6>& seconds,
+  std::span<const BoxValue> thirds, const Places& places)
+{
+  const auto K = [&products](std::size_t j, std::size_t a) -> const BoxValue&
+  { return products.inverse[3 * j + a]; };
+  // sum of v_j K_ja.
+  const auto byX = [&K](const BoxValue& v0, const BoxValue& v1, const BoxValue& v2, std::size_t a)
+  { return v0 * K(0, a) + v1 * K(1, a) + v2 * K(2, a); };
+  WorldDerivatives world;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    // In the kernels' order of operations, so that the bound of their rounding holds.
+    world.slopes[a] = byX(slopes[0], slopes[1], slopes[2], a);
+  }
+  if (!places.hasSeconds)
+  {
+    return world;
+  }
+  std::array<BoxValue, 6> bent = seconds;
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    for (std::size_t m = 0; m < 3; ++m)
+    {
+      bent[k] = bent[k] - world.slopes[m] * products.bends[m][k];
+    }
+  }
+  std::array<BoxValue, 9> V; // [3 m + j]
+  for (std::size_t m = 0; m < 3; ++m)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      V[3 * m + j] = byX(bent[kPairAt[0][j]], bent[kPairAt[1][j]], bent[kPairAt[2][j]], m);
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t b = a; b < 3; ++b)
+    {
+      world.seconds[kPairAt[a][b]] = byX(V[3 * a], V[3 * a + 1], V[3 * a + 2], b);
+    }
+  }
+  if (!places.hasThirds)
+  {
+    return world;
+  }
+  std::array<BoxValue, kThirds> B;
+  ForEachTriple(
+    [&](std::size_t j, std::size_t k, std::size_t l)
+    {
+      BoxValue& one = B[ThirdAt(j, k, l)];
+      one = thirds[ThirdAt(j, k, l)];
+      for (std::size_t m = 0; m < 3; ++m)
+      {
+        const std::array<BoxValue, 6>& bend = products.bends[m];
+        one = one - world.slopes[m] * products.thirdsOfMap[m][ThirdAt(j, k, l)] -
+          (V[3 * m + l] * bend[kPairAt[j][k]] + V[3 * m + k] * bend[kPairAt[j][l]] +
+            V[3 * m + j] * bend[kPairAt[k][l]]);
+      }
+    });
+  std::array<std::array<BoxValue, 6>, 3> first;  // [c][jk]
+  std::array<std::array<BoxValue, 6>, 3> second; // [j][bc]
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      for (std::size_t k = j; k < 3; ++k)
+      {
+        first[c][kPairAt[j][k]] =
+          byX(B[ThirdAt(j, k, 0)], B[ThirdAt(j, k, 1)], B[ThirdAt(j, k, 2)], c);
+      }
+    }
+  }
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    for (std::size_t b = 0; b < 3; ++b)
+    {
+      for (std::size_t c = b; c < 3; ++c)
+      {
+        second[j][kPairAt[b][c]] =
+          byX(first[c][kPairAt[j][0]], first[c][kPairAt[j][1]], first[c][kPairAt[j][2]], b);
+      }
+    }
+  }
+  ForEachTriple(
+    [&](std::size_t a, std::size_t b, std::size_t c)
+    {
+      const std::size_t bc = kPairAt[b][c];
+      world.thirds[ThirdAt(a, b, c)] = byX(second[0][bc], second[1][bc], second[2][bc], a);
+    });
+  return world;
+}
+
+void BoxLeaves::Evaluate(
+  std::span<const BoxValue> polynomials, std::span<BoxValue> leaves, JacobianValues* jacobian) const
+{
+  const Products products = ProductsOf(polynomials);
+  std::ranges::transform(Leaves, leaves.begin(),
+    [&](const Graph::Node& leaf) { return LeafOf(leaf, polynomials, products); });
+  if (jacobian != nullptr)
+  {
+    const double unit = UnitOfMap();
+    const auto inWorld = [unit](const BoxValue& one) { return Scaled(one, unit); };
+    std::ranges::transform(products.jacobian, jacobian->first.begin(), inWorld);
+    for (std::size_t c = 0; c < 3 && NeedsSeconds; ++c)
+    {
+      std::ranges::transform(products.bends[c], jacobian->second[c].begin(), inWorld);
+    }
+  }
+}
+
+BoxValue BoxLeaves::LeafOf(
+  const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const
+{
+  const std::span<const BoxValue> J = products.jacobian;
+  const double unit = UnitOfMap();
+  const auto at = [&](int place) -> const BoxValue& { return p[static_cast<std::size_t>(place)]; };
+  const auto a = static_cast<std::size_t>(leaf.a);
+  switch (leaf.operation)
+  {
+    case Operation::Constant:
+      return std::isnan(leaf.constant) ? BoxValue::Unknown() : BoxValue(leaf.constant);
+    case Operation::Pi:
+      return BoxValue(KnownInterval{ Interval::Around(std::numbers::pi, 2e-16), false });
+    case Operation::Coordinate:
+    {
+      BoxValue coordinate = Scaled(at(OfMap[a].value), unit) +
+        BoxValue(TheMesh.centre[3 * static_cast<std::size_t>(Element) + a]);
+      coordinate.error += OfCoordinates[leaf.a];
+      return coordinate;
+    }
+    case Operation::Reference:
+      return p[Ingredients.size() + a];
+    case Operation::InverseJacobian:
+      return Scaled(products.inverse[3 * a + static_cast<std::size_t>(leaf.b)], 1.0 / unit);
+    case Operation::Determinant:
+      return Scaled(products.determinant, unit * unit * unit);
+    case Operation::ScaledJacobian:
+    {
+      BoxValue lengths(1.0);
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        lengths = lengths * NormOf(std::array{ J[j], J[3 + j], J[6 + j] });
+      }
+      return products.determinant * Reciprocal(lengths);
+    }
+    case Operation::Value:
+      return FieldValue(leaf, p, products);
+    case Operation::Slope:
+    case Operation::Curvature:
+    case Operation::Third:
+      return FieldDerivative(leaf, products);
+    default:
+      return BoxValue::Unknown();
+  }
+}
+
+double BoxLeaves::UnitOfMap() const
+{
+  return std::ldexp(TheMesh.size[static_cast<std::size_t>(Element)], Map.exponent);
+}
+
+BoxValue BoxLeaves::FieldValue(
+  const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const
+{
+  const NeededField& needed = Fields[static_cast<std::size_t>(leaf.field)];
+  const double unit = UnitOfMap();
+  const double ofField = std::ldexp(1.0, needed.modes->exponent);
+  const auto c = static_cast<std::size_t>(leaf.component);
+  std::vector<BoxValue> values;
+  for (const Places& places : needed.components)
+  {
+    values.push_back(places.value < 0 ? BoxValue() : p[static_cast<std::size_t>(places.value)]);
+  }
+  const std::span<const BoxValue> J = products.jacobian;
+  switch (needed.field->mapping)
+  {
+    case Mapping::Covariant:
+      return Scaled(Covariant<BoxValue>(J, values, c) * products.overDeterminant, ofField / unit);
+    case Mapping::Contravariant:
+      return Scaled(
+        Contravariant<BoxValue>(J, values, c) * products.overDeterminant, ofField / (unit * unit));
+    case Mapping::Density:
+      return Scaled(values[c] * products.overDeterminant, ofField / (unit * unit * unit));
+    default:
+      return Scaled(values[c], ofField);
+  }
+}
+
+BoxValue BoxLeaves::FieldDerivative(const Graph::Node& leaf, const Products& products) const
+{
+  const NeededField& needed = Fields[static_cast<std::size_t>(leaf.field)];
+  if (needed.field->mapping != Mapping::Identity)
+  {
+    return BoxValue::Unknown();
+  }
+  std::size_t place = 0;
+  ForEachDifferentiated([&](const NeededField& field, int component, const Places& /*places*/)
+    { place += &field < &needed || (&field == &needed && component < leaf.component) ? 1 : 0; });
+  const WorldDerivatives& world = products.fields[place];
+  const double unit = UnitOfMap();
+  const double ofField = std::ldexp(1.0, needed.modes->exponent);
+  const auto a = static_cast<std::size_t>(leaf.a);
+  const auto b = static_cast<std::size_t>(leaf.b);
+  switch (leaf.operation)
+  {
+    case Operation::Slope:
+      return Scaled(world.slopes[a], ofField / unit);
+    case Operation::Curvature:
+      return Scaled(world.seconds[kPairAt[a][b]], ofField / (unit * unit));
+    default:
+      return Scaled(world.thirds[ThirdAt(a, b, static_cast<std::size_t>(leaf.c))],
+        ofField / (unit * unit * unit));
+  }
+}
+} // namespace pixelexact
