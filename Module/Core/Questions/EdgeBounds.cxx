@@ -157,7 +157,7 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
     std::fabs(a.xi.z - b.xi.z) };
   double off[3];
   double beside[3];
-  EdgeRange range{ Quadratic(node.curve, s) / 8.0, error };
+  EdgeRange range{ .deviation = Quadratic(node.curve, s) / 8.0, .error = error };
   double outside = 0.0; // what the path may do beside the element
   bool mayLeave = false;
   for (std::size_t k = 0; k < 3; ++k)

@@ -36,7 +36,7 @@ struct EdgeEffort
 struct EdgeRange
 {
   double deviation = 0.0; ///< from the straight line between the ends' values
-  double loose = 0.0;     ///< the part of it that falls with the node: what is no polynomial
+  double loose = 0.0;     ///< the part of it that smaller nodes may lower, of expressions
   double error = 0.0;     ///< of these values: F at the true points is no farther off
 };
 
