@@ -18,6 +18,9 @@ namespace
 /// Of what may be spent on a frame: what is for every tile, and the most for one.
 constexpr double kFirstShare = 0.5;
 constexpr double kMostOfTile = 0.1;
+/// Of the work of a frame, where a layer with lines shows an expression: boxes and points cost many
+/// times what they cost of fields, and pixels that need as much are seldom decided by more.
+constexpr double kShareOfExpressions = 0.125;
 
 std::size_t PixelsOf(const TileArea& area)
 {
@@ -146,7 +149,7 @@ void ContourCertifier::Process(TileVisit& tile)
   // By its part of the frame.
   const double part = kFirstShare * static_cast<double>(verdicts.size()) /
     static_cast<double>(std::max<std::size_t>(Pixels.size(), 1));
-  const auto share = static_cast<std::int64_t>(part * static_cast<double>(Method.work));
+  const auto share = static_cast<std::int64_t>(part * WorkOf(tile.GetScene()));
   JudgedTile judged;
   judged.area = tile.Area();
   Judge(tile, share, judged);
@@ -177,7 +180,7 @@ void ContourCertifier::ProcessAgain(TileVisit& tile, std::size_t pass)
   {
     return;
   }
-  const auto all = static_cast<double>(Method.work);
+  const double all = WorkOf(tile.GetScene());
   double rest = all;
   for (std::size_t k = 0; k <= pass; ++k)
   {
@@ -189,11 +192,26 @@ void ContourCertifier::ProcessAgain(TileVisit& tile, std::size_t pass)
   Take(std::move(judged), pass + 1);
 }
 
+bool ContourCertifier::HasLines(const Scene& scene, std::size_t layer) const
+{
+  return !IsoValues[layer].empty() && scene.layers[layer].field != nullptr;
+}
+
+double ContourCertifier::WorkOf(const Scene& scene) const
+{
+  bool hasExpressions = false;
+  for (std::size_t k = 0; k < IsoValues.size(); ++k)
+  {
+    hasExpressions =
+      hasExpressions || (HasLines(scene, k) && scene.layers[k].field->function != nullptr);
+  }
+  return (hasExpressions ? kShareOfExpressions : 1.0) * static_cast<double>(Method.work);
+}
+
 void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& judged)
 {
   const Scene& scene = tile.GetScene();
-  const auto hasLines = [&](std::size_t k)
-  { return !IsoValues[k].empty() && scene.layers[k].field != nullptr; };
+  const auto hasLines = [&](std::size_t k) { return HasLines(scene, k); };
   std::int64_t layers = 0;
   for (std::size_t k = 0; k < IsoValues.size(); ++k)
   {

@@ -144,6 +144,9 @@ private:
 
   /// The project's own, with so much to spend; keeps the verdicts. A tile that was judged before
   /// goes on where it ended.
+  [[nodiscard]] bool HasLines(const Scene& scene, std::size_t layer) const;
+  /// What may be spent on a frame.
+  [[nodiscard]] double WorkOf(const Scene& scene) const;
   void Judge(TileVisit& tile, std::int64_t most, JudgedTile& judged);
   void ProcessAgain(TileVisit& tile, std::size_t pass);
   /// After a pass.
