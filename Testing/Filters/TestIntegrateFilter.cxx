@@ -250,7 +250,8 @@ TEST(IntegrateFilter, WrongUseIsRefused)
   vtkNew<vtkSuperquadric> function;
   Integration unknown(Boxes(1), function);
   unknown.filter->Update();
-  EXPECT_NE(unknown.messages->errors.find("planes, spheres"), std::string::npos);
+  EXPECT_NE(unknown.messages->errors.find("vtkSuperquadric"), std::string::npos);
+  EXPECT_NE(unknown.messages->errors.find("spheres"), std::string::npos);
 
   const auto plane = MakePlaneAt(0.5);
   Integration named(Boxes(1), plane);

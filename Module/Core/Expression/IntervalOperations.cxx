@@ -79,7 +79,7 @@ Interval PowerOf(const Interval& a, const Interval& b)
     Interval result(1.0);
     for (int k = 0; k < exponent / 2; ++k)
     {
-      result *= Square(a);
+      result = ProductOf(result, Square(a));
     }
     result = exponent % 2 == 1 ? result * a : result;
     return b.lower < 0.0 ? Interval(1.0) / result : result;
