@@ -112,7 +112,8 @@ struct ExpressionCase : EdgeCase
     auto point = EdgeCase::Located(x);
     if (point)
     {
-      EvaluateAt(mesh, expression, 0, { &point->xi, 1 }, { &point->value, 1 }, {}, { .x = { &x, 1 } });
+      EvaluateAt(
+        mesh, expression, 0, { &point->xi, 1 }, { &point->value, 1 }, {}, { .x = { &x, 1 } });
     }
     return point;
   }

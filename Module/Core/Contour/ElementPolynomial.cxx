@@ -12,8 +12,7 @@ namespace pixelexact
 namespace
 {
 /// A power of two that brings S to about 1 over an element about `centre`.
-double UnitOf(
-  const QuadraticPolynomial& form, const std::array<Interval, 3>& centre, double radius)
+double UnitOf(const QuadraticPolynomial& form, const std::array<Interval, 3>& centre, double radius)
 {
   double largest = 0.0;
   for (const double q : form.q)

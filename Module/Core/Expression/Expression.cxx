@@ -171,9 +171,10 @@ private:
     {
       for (int a = 0; a < 3; ++a)
       {
+        const int slope = outputs[1 + static_cast<std::size_t>(a)];
         for (int b = a; b < 3; ++b)
         {
-          outputs.push_back(Scalars.Derivative(outputs[static_cast<std::size_t>(1 + a)], b));
+          outputs.push_back(Scalars.Derivative(slope, b));
         }
       }
     }

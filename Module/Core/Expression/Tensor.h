@@ -19,7 +19,8 @@ struct Tensor
 
   [[nodiscard]] int At(int row, int column = 0) const
   {
-    return nodes[static_cast<std::size_t>(row * columns + column)];
+    const int place = row * columns + column;
+    return nodes[static_cast<std::size_t>(place)];
   }
   [[nodiscard]] bool IsScalar() const { return rank == 0; }
 };
