@@ -11,7 +11,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <utility>
 
 namespace pixelexact
 {
@@ -174,7 +173,7 @@ std::optional<PlanarValues> EdgeBounds::Over(const std::array<LocatedPoint, 3>& 
     {
       break;
     }
-    found = std::move(smaller);
+    found = smaller;
   }
   return found;
 }
