@@ -597,9 +597,8 @@ vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Rende
       "nothing to cut with, or no layer is visible: call SetCutFunction, SetSurface or AddLayer");
   }
   pixelexact::Complete(sight, view);
-  const auto picture =
-    pixelexact::TracePicture(frames, view, { .ranges = this->Data->Drawer.Ranges() },
-      *this->Data->Drawer.LatestModel(), allBuffers, progress);
+  auto picture = pixelexact::TracePicture(frames, view, { .ranges = this->Data->Drawer.Ranges() },
+    *this->Data->Drawer.LatestModel(), allBuffers, progress);
   this->TakeRange(frames);
   this->TakeContours(frames);
   return picture;

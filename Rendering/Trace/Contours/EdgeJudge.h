@@ -53,7 +53,7 @@ enum class EdgeFinding : std::uint8_t
 
 /// How far points where rays meet a surface may be off, by rounding: in every coordinate, a part of
 /// the largest.
-[[nodiscard]] double SlackOf(std::span<const Vec3> points);
+[[nodiscard]] double SlackOf(std::span<const Vec3> corners);
 
 /// Judges edges on a layer's surface: of one tile, by one thread.
 class EdgeJudge
