@@ -172,6 +172,22 @@ TEST(ExpressionEdges, RangesHoldValues)
   EXPECT_GT(bounded, 0.95 * all);
 }
 
+/// Zeros have no size, and what is made of them is known all the same.
+TEST(ExpressionEdges, FieldsOfZerosAreKnown)
+{
+  Random random(70);
+  for (const std::string text : { "2*u + x", "grad(u).x + x", "u*u + x" })
+  {
+    ExpressionCase one(Shape::Hexahedron, 2, 3, { text, {} }, random);
+    one.SetField(
+      UniformSpace(Shape::Hexahedron, 2), std::vector<double>(27, 0.0), 1, Mapping::Identity);
+    const CertifiedRange range = RangeOf(one.mesh, 0, { .field = &one.expression }, { 1e-3, 1000 });
+    const Box3 box = one.locator.Index().ElementBox(0);
+    EXPECT_GE(range.outer.lower, box.lower.x - 1e-9);
+    EXPECT_LE(range.outer.upper, box.upper.x + 1e-9);
+  }
+}
+
 TEST(ExpressionEdges, AlongHoldsDensePoints)
 {
   constexpr int kPoints = 32;

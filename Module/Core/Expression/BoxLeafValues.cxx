@@ -40,6 +40,13 @@ void ForEachTriple(const Visit& visit)
   }
 }
 
+/// What a field's modes are in units of. Of zeros any unit is right, and their exponent has none.
+double UnitOf(const ScaledModes& modes)
+{
+  const double unit = std::ldexp(1.0, modes.exponent);
+  return unit > 0.0 ? unit : 1.0;
+}
+
 /// A scalar times a power of two.
 BoxValue Scaled(const BoxValue& value, double factor)
 {
@@ -64,8 +71,7 @@ struct BoxLeaves::Products
   std::array<BoxValue, 9> inverse;              ///< d xi_j / d y_a at 3 j + a
   std::array<std::array<BoxValue, 6>, 3> bends; ///< second derivatives of the map by xi
   std::array<std::span<const BoxValue>, 3> thirdsOfMap;
-  /// By Places::derivatives.
-  std::vector<WorldDerivatives> fields;
+  std::vector<WorldDerivatives> fields; ///< in the order of ForEachDifferentiated
 };
 
 BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
@@ -329,7 +335,7 @@ BoxValue BoxLeaves::FieldValue(
 {
   const NeededField& needed = Fields[static_cast<std::size_t>(leaf.field)];
   const double unit = UnitOfMap();
-  const double ofField = std::ldexp(1.0, needed.modes->exponent);
+  const double ofField = UnitOf(*needed.modes);
   const auto c = static_cast<std::size_t>(leaf.component);
   std::vector<BoxValue> values;
   for (const Places& places : needed.components)
@@ -363,7 +369,7 @@ BoxValue BoxLeaves::FieldDerivative(const Graph::Node& leaf, const Products& pro
     { place += &field < &needed || (&field == &needed && component < leaf.component) ? 1 : 0; });
   const WorldDerivatives& world = products.fields[place];
   const double unit = UnitOfMap();
-  const double ofField = std::ldexp(1.0, needed.modes->exponent);
+  const double ofField = UnitOf(*needed.modes);
   const auto a = static_cast<std::size_t>(leaf.a);
   const auto b = static_cast<std::size_t>(leaf.b);
   switch (leaf.operation)

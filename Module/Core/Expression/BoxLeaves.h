@@ -25,7 +25,7 @@ inline constexpr std::size_t kThirds = 10;
 struct JacobianValues
 {
   std::array<BoxValue, 9> first; ///< row-major
-  /// 11, 12, 13, 22, 23, 33 of each coordinate; unknown where they are not needed.
+  /// 11, 12, 13, 22, 23, 33 of each coordinate; not written where no second derivatives are needed.
   std::array<std::array<BoxValue, 6>, 3> second;
 };
 
@@ -33,9 +33,8 @@ struct JacobianValues
 /// what each leaf is for given enclosures of those. Derivatives by x are made of derivatives by xi
 /// and the inverse Jacobian.
 ///
-/// Of mapped fields (H(curl), H(div), densities) values are known, of others values and first and
-/// second derivatives. Nothing is known of normals and of what lies behind faces, nor, in pyramids,
-/// of second derivatives.
+/// Mapped fields (H(curl), H(div), densities) have values alone, other fields derivatives up to the
+/// third (HessianFunction::Thirds). Nothing is known of normals and of what lies behind faces.
 class BoxLeaves
 {
 public:

@@ -63,10 +63,10 @@ double PropagatedByPower(const BoxValue& f, const BoxValue& exponent, const Inte
   {
     return kInfinity;
   }
-  const double size = 2.0 * result.Magnitude();
-  return size *
-    (to.Magnitude() * f.error / least +
-      FunctionOf(Operation::Log, base).Magnitude() * exponent.error);
+  // Of b log a; its exponential moves by no more than twice as much, as long as that is small.
+  const double relative = to.Magnitude() * f.error / least +
+    FunctionOf(Operation::Log, base).Magnitude() * exponent.error;
+  return relative <= 0.25 ? 2.0 * result.Magnitude() * relative : kInfinity;
 }
 } // namespace
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
-#include <numbers>
 #include <optional>
 
 namespace pixelexact
