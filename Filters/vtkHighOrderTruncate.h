@@ -79,7 +79,7 @@ private:
   bool Bounds = true;
   pixelexact::FieldSelection Fields{ this };
   bool InBlocks = false; ///< in a parallel run
-  /// Of the last update: bounds of the changes on this process, by the names of their arrays.
+  /// Bounds of the changes by the last update on this process, by the names of their arrays.
   std::map<std::string, double> Changes;
 };
 

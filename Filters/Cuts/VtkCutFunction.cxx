@@ -210,7 +210,7 @@ std::optional<ImplicitPolynomial> PlainForm(vtkImplicitFunction* function)
   return std::nullopt;
 }
 
-/// Of S(A z).
+/// Returns S(A z) as a polynomial of z.
 QuadraticPolynomial Turned(const QuadraticPolynomial& form, const Mat3& a)
 {
   const auto& q = form.q;
@@ -222,8 +222,8 @@ QuadraticPolynomial Turned(const QuadraticPolynomial& form, const Mat3& a)
     form.g * a, form.c };
 }
 
-/// Of S(A x + b), about the point that goes to the form's origin. Nothing where the transform is
-/// not affine.
+/// Returns S(A x + b) about the point that the transform moves to the form's origin; nothing where
+/// the transform is not affine.
 std::optional<ImplicitPolynomial> Moved(
   const ImplicitPolynomial& form, vtkImplicitFunction* function)
 {

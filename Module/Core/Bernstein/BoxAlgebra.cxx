@@ -62,6 +62,14 @@ std::vector<double> Weighted(const BoxPolynomial& f)
     { result[at] = weights.At(i, j, k) * f.b[at]; });
   return result;
 }
+
+BoxPolynomial Raised(const BoxPolynomial& f, const Degrees& degree)
+{
+  BoxPolynomial raised{ degree, std::vector<double>(CoefficientCount(degree)), 0.0 };
+  Elevate(f.degree, degree, f.b, raised.b);
+  raised.error = f.error + ElevationError(degree, LargestMagnitude(f.b));
+  return raised;
+}
 } // namespace
 
 BoxPolynomial Multiply(const BoxPolynomial& f, const BoxPolynomial& g)
@@ -124,6 +132,14 @@ BoxPolynomial Combine(double a, const BoxPolynomial& f, double b, const BoxPolyn
       (1.0 + Gamma(16)) +
     0x1p-1000;
   return sum;
+}
+
+BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g)
+{
+  Degrees degree;
+  std::ranges::transform(
+    f.degree, g.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+  return Combine(1.0, Raised(f, degree), 1.0, Raised(g, degree));
 }
 
 BoxPolynomial Derivative(const BoxPolynomial& f, int direction)

@@ -12,6 +12,9 @@ BoxPolynomial Multiply(const BoxPolynomial& f, const BoxPolynomial& g);
 /// a f + b g, where both have the same degrees.
 BoxPolynomial Combine(double a, const BoxPolynomial& f, double b, const BoxPolynomial& g);
 
+/// f + g of any degrees.
+BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g);
+
 /// The derivative along a direction, by a coordinate that is 0 at the box's lower and 1 at its
 /// upper end, in f's own degrees.
 BoxPolynomial Derivative(const BoxPolynomial& f, int direction);

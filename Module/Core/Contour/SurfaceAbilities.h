@@ -6,7 +6,7 @@
 
 namespace pixelexact
 {
-/// What can be computed on a cut-surface beside pictures.
+/// The uses of a cut-surface other than pictures.
 enum class SurfaceUse
 {
   Lines,     ///< contours as certified polylines
@@ -14,7 +14,7 @@ enum class SurfaceUse
   Clips      ///< the surface ends others
 };
 
-/// A kind of cut-surface and its uses. `surfaces.md` contains the same table.
+/// A kind of cut-surface and its uses. The page `options.md` contains this table.
 struct SurfaceAbility
 {
   const char* plural;

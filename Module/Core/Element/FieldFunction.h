@@ -67,7 +67,8 @@ public:
   /// A component, or the norm, over boxes of an element's eta. The mesh's arrays must outlive it.
   [[nodiscard]] virtual std::unique_ptr<ElementQuantity> OnElement(
     const Mesh& mesh, int element, int component) const = 0;
-  /// Whether JetOnElement tells anything: not of jumps, of normals, and of what has no gradient.
+  /// Returns whether JetOnElement gives a jet. Functions with jumps or normals and those without a
+  /// gradient have none.
   [[nodiscard]] virtual bool HasJets() const = 0;
   /// The same with its gradient; null where there is none. `coordinateErrors`: how far points are
   /// off the images of their xi, in world units.

@@ -131,22 +131,6 @@ void AddSeconds(Shape shape, const std::array<BoxPolynomial, 3>& slopes, int lev
   }
 }
 
-BoxPolynomial Raised(const BoxPolynomial& f, const Degrees& degree)
-{
-  BoxPolynomial raised{ degree, std::vector<double>(CoefficientCount(degree)), 0.0 };
-  Elevate(f.degree, degree, f.b, raised.b);
-  raised.error = f.error + ElevationError(degree, LargestMagnitude(f.b));
-  return raised;
-}
-
-BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g)
-{
-  Degrees degree;
-  std::ranges::transform(
-    f.degree, g.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
-  return Combine(1.0, Raised(f, degree), 1.0, Raised(g, degree));
-}
-
 /// Whether all divisions by h are of coefficients.
 bool IsExact(Shape shape, int level, const PieceForm::Piece& piece)
 {

@@ -26,6 +26,9 @@ class HessianFunction
 {
 public:
   static constexpr std::size_t kPolynomials = 40;
+  /// Places of second derivatives in the order 11, 12, 13, 22, 23, 33.
+  static constexpr std::array<std::array<std::size_t, 3>, 3> kPlaces{ { { 0, 1, 2 }, { 1, 3, 4 },
+    { 2, 4, 5 } } };
 
   /// The polynomials over a piece, of three components of a map and of one of a field: the
   /// derivatives by xi, three a function; six derivatives of those by eta a function (divided by h

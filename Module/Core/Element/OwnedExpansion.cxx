@@ -9,7 +9,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of some memory where `size` is 0.
+/// Allocates some memory where `size` is 0, too.
 std::size_t BytesOf(std::size_t size)
 {
   return std::max<std::size_t>(size, 1) * sizeof(double);

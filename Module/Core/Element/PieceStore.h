@@ -10,28 +10,25 @@
 
 namespace pixelexact
 {
-/// The bytes that all stores of the process keep.
+/// Counts the bytes that all stores of the process keep.
 class PieceBytes
 {
 public:
   static constexpr std::int64_t kMaxBytes = std::int64_t{ 256 } << 20;
 
-  static bool AreLeft() { return Kept.load(std::memory_order_relaxed) < kMaxBytes; }
-  static void Add(std::int64_t bytes) { Kept.fetch_add(bytes, std::memory_order_relaxed); }
-
-private:
-  inline static std::atomic<std::int64_t> Kept{ 0 };
+  [[nodiscard]] static bool AreLeft();
+  static void Add(std::int64_t bytes);
 };
 
-/// What is made of an element's polynomials over each piece of the cube (PieceForm): made where
-/// somebody first asks, and kept as long as all stores of the process together stay within
-/// PieceBytes::kMaxBytes; beyond that it is made anew for each caller. Which of the two happens
-/// changes no number. Safe to use from several threads. `T` has Bytes().
+/// Holds objects that are made of an element's polynomials over each piece of the cube (PieceForm).
+/// Each is made where somebody first asks, and kept as long as all stores of the process together
+/// stay within PieceBytes::kMaxBytes; beyond that it is made again for each caller. Which of the
+/// two happens changes no number. Safe to use from several threads. `T` has Bytes().
 template <class T>
 class PieceStore
 {
 public:
-  /// Of the 2^level pieces along each direction.
+  /// The cube has 2^level pieces along each direction.
   explicit PieceStore(int level)
     : Level(level)
     , Kept(std::size_t{ 1 } << (3 * level))

@@ -52,6 +52,11 @@ BoxPolynomial RangeIngredient::Over(
   return polynomial;
 }
 
+double RangeIngredient::RoundingInKernels(int level, const PieceForm::Piece& piece) const
+{
+  return 4.0 * PieceForm::Of(modes->space, level).ErrorBound(part, piece, Modes());
+}
+
 PieceForm::Piece PieceAt(const Box3& box, int level)
 {
   PieceForm::Piece piece{};

@@ -37,6 +37,9 @@ struct RangeIngredient
   /// bounded at a pyramid's apex (PieceForm::IsClosed) have an infinite error.
   [[nodiscard]] BoxPolynomial Over(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
+  /// Bounds the rounding of the kernels' values on a piece by 4 times what its conversion makes at
+  /// most: they make the same sums, but for the order of the factors (accuracy.md).
+  [[nodiscard]] double RoundingInKernels(int level, const PieceForm::Piece& piece) const;
 };
 
 /// The piece that holds a box's middle.

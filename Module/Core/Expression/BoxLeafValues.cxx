@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-// What leaves are over a box, from enclosures of the polynomials that they are made of.
+// Computes leaves over a box from enclosures of their polynomials.
 namespace pixelexact
 {
 namespace
@@ -62,7 +62,7 @@ struct BoxLeaves::WorldDerivatives
   std::array<BoxValue, kThirds> thirds;
 };
 
-/// What the leaves are made of besides the polynomials themselves, in the units of the modes.
+/// Holds intermediate results that several leaves share, in the units of the modes.
 struct BoxLeaves::Products
 {
   std::array<BoxValue, 9> jacobian;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Expression/BoxLeaves.h"
 
-#include "Core/Element/HessianFunction.h"
+#include "Core/Expression/PointLeaves.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Shape/Shape.h"
 
@@ -45,17 +45,10 @@ BoxPolynomial ReferenceOver(
   return xi;
 }
 
-/// Bounds the rounding of a polynomial as the kernels evaluate it: they make the same sums as the
-/// conversion, but for the order of the factors (accuracy.md).
-double KernelError(const RangeIngredient& ingredient)
-{
-  return 4.0 *
-    PieceForm::Of(ingredient.modes->space, 0).ErrorBound(ingredient.part, {}, ingredient.Modes());
-}
-
-/// The same of second derivatives by xi of some components, by Markov's inequality for each mode:
-/// of degree n it is 4 n^2 times as steep as it is large, at most (D. Wilhelmsen, J. Approx. Theory
-/// 11, 1974; the shapes are more than 1 wide). Modes of pyramids are no polynomials in xi.
+/// Bounds the rounding of the kernels' second derivatives by xi of some components, by Markov's
+/// inequality for each mode: of degree n it is 4 n^2 times as steep as it is large, at most (D.
+/// Wilhelmsen, J. Approx. Theory 11, 1974; the shapes are more than 1 wide). Modes of pyramids are
+/// no polynomials in xi.
 double SecondsError(const ScaledModes& modes, int first, int count)
 {
   constexpr double kSafety = 16.0;
@@ -67,22 +60,9 @@ double SecondsError(const ScaledModes& modes, int first, int count)
   double error = 0.0;
   for (int c = first; c < first + count; ++c)
   {
-    error = std::max(error, KernelError({ &modes, c, Part::Value }));
+    error = std::max(error, RangeIngredient{ &modes, c, Part::Value }.RoundingInKernels(0, {}));
   }
   return kSafety * (4.0 * n * n) * (4.0 * n * n) * error;
-}
-
-int HighestOrder(std::span<const Field* const> fields, int field, int element)
-{
-  int order = 0;
-  for (std::size_t f = 0; f < fields.size(); ++f)
-  {
-    if (field < 0 || f == static_cast<std::size_t>(field))
-    {
-      order = std::max(order, fields[f]->values.SpaceOf(element).MaxOrder());
-    }
-  }
-  return order;
 }
 } // namespace
 
@@ -109,13 +89,13 @@ BoxLeaves::BoxLeaves(std::span<const Graph::Node> leaves, std::span<const Field*
                    numbers.empty() ? element : numbers[static_cast<std::size_t>(element)]) };
         break;
       case Operation::Order:
-        leaf = { .constant = static_cast<double>(HighestOrder(fields, leaf.field, element)) };
+        leaf = { .constant = static_cast<double>(HighestOrder(Fields, leaf.field, element)) };
         break;
       default:
         Need(leaf);
     }
   }
-  Finite = Map.finite || Ingredients.empty();
+  Finite = Map.finite;
   for (const NeededField& needed : Fields)
   {
     Finite = Finite && (!needed.modes || needed.modes->finite);
@@ -214,15 +194,14 @@ void BoxLeaves::NeedJet(const Vec3& coordinateErrors, bool withSeconds)
   NeedJacobian();
   NeedsSeconds = NeedsSeconds || withSeconds;
   OfCoordinates = coordinateErrors;
-  if (!Map.finite || !Finite)
+  if (!Finite)
   {
-    Finite = false;
     return;
   }
   TheLevel = LevelFor(Ingredients);
   for (const RangeIngredient& ingredient : Ingredients)
   {
-    OfKernels.push_back(KernelError(ingredient));
+    OfKernels.push_back(ingredient.RoundingInKernels(0, {}));
   }
   const std::size_t xi = NeedsXi ? 3 : 0;
   OfKernels.resize(Ingredients.size() + xi);

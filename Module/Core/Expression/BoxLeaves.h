@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Bernstein/PieceForm.h"
+#include "Core/Element/HessianFunction.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Element/RangeIngredients.h"
 #include "Core/Expression/BoxValue.h"
 
 #include <array>
@@ -15,10 +14,8 @@
 
 namespace pixelexact
 {
-/// Places of second derivatives, 11, 12, 13, 22, 23, 33.
-inline constexpr std::array<std::array<std::size_t, 3>, 3> kPairAt{ { { 0, 1, 2 }, { 1, 3, 4 },
-  { 2, 4, 5 } } };
-/// The number of third ones, 111, 112, 113, 122, 123, 133, 222, 223, 233, 333.
+inline constexpr auto& kPairAt = HessianFunction::kPlaces;
+/// The number of third derivatives, 111, 112, 113, 122, 123, 133, 222, 223, 233, 333.
 inline constexpr std::size_t kThirds = 10;
 
 /// The map's derivatives by xi over a box, in world units.

@@ -2,6 +2,7 @@
 #include "Core/Expression/PointLeaves.h"
 
 #include "Core/Element/FieldMapping.h"
+#include "Core/Element/HessianFunction.h"
 #include "Core/Math/Mat.h"
 
 #include <glm/matrix.hpp>
@@ -34,9 +35,7 @@ constexpr std::size_t kOfComponent = 10;
 
 std::size_t CurvatureAt(int a, int b)
 {
-  constexpr std::array<std::array<std::size_t, 3>, 3> kAt{ { { 0, 1, 2 }, { 1, 3, 4 },
-    { 2, 4, 5 } } };
-  return kAt[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+  return HessianFunction::kPlaces[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
 }
 
 /// In place of the derivatives by xi, those by y = x / size.
@@ -375,20 +374,7 @@ void PointLeaves::Fill(const Mesh& mesh, int element, const LanePoints& xi, cons
         });
       return;
     default:
-      each([&, order = OrderIn(element, leaf.field)](int /*i*/) { return order; });
+      each([&, order = HighestOrder(Fields, leaf.field, element)](int /*i*/) { return order; });
   }
-}
-
-double PointLeaves::OrderIn(int element, int field) const
-{
-  int order = 0;
-  for (std::size_t f = 0; f < Fields.size(); ++f)
-  {
-    if (field < 0 || f == static_cast<std::size_t>(field))
-    {
-      order = std::max(order, Fields[f].field->values.SpaceOf(element).MaxOrder());
-    }
-  }
-  return order;
 }
 } // namespace pixelexact

@@ -5,12 +5,30 @@
 #include "Core/Element/Mesh.h"
 #include "Core/Expression/Graph.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace pixelexact
 {
+/// The highest order of a field in an element; of all fields where `field` is -1. `Needed` has a
+/// `field`.
+template <class Needed>
+[[nodiscard]] int HighestOrder(const std::vector<Needed>& fields, int field, int element)
+{
+  int order = 0;
+  for (std::size_t f = 0; f < fields.size(); ++f)
+  {
+    if (field < 0 || f == static_cast<std::size_t>(field))
+    {
+      order = std::max(order, fields[f].field->values.SpaceOf(element).MaxOrder());
+    }
+  }
+  return order;
+}
+
 /// Evaluates a graph's leaves at points of an element: fields and their derivatives by x, with the
 /// rounding of the kernels, and coordinates, xi, J^-1 and det J of the map. Second derivatives are
 /// computed point by point, not in lanes.
@@ -57,7 +75,6 @@ private:
   void Fill(const Mesh& mesh, int element, const LanePoints& xi, const Graph::Node& leaf,
     double* const* map, double* out) const;
   [[nodiscard]] std::size_t ArrayOf(const Graph::Node& leaf) const;
-  [[nodiscard]] double OrderIn(int element, int field) const;
 
   std::vector<Graph::Node> Wanted;
   std::vector<NeededField> Fields;

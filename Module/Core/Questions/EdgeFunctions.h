@@ -179,8 +179,7 @@ private:
   void AddJet(const JetBounds& jet, Derivatives& ranges) const;
   [[nodiscard]] PointValues ValuesOfJet(std::span<const Vec3> xi) const;
   void ChooseLevel();
-  /// Of `components` functions together, 4 times what the conversion to a part makes at most: the
-  /// kernels make the same sums, but for the order of the factors (accuracy.md).
+  /// Of `components` functions together (RangeIngredient::RoundingInKernels).
   [[nodiscard]] double ErrorOf(const ScaledModes& modes, int components, Part part) const;
 
   ScaledModes Map;

@@ -108,7 +108,7 @@ void EdgeNode::Describe(const EdgeFunctions& functions, const Interval& those)
 bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::MapRanges& map)
 {
   const Shape shape = functions.GetShape();
-  const Box3 hull = HullInXi(shape, wide);
+  const Vec3 away = ReachOf(shape, wide);
   centre = CentreOf(shape, wide);
   origin = functions.ViewAt(centre).y;
   Mat3 middle;
@@ -146,8 +146,7 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
       sum += turn[i][j] * (sides[i] / sides[j]);
     }
     most = std::max(most, sum);
-    const int d = static_cast<int>(i);
-    reach[i] = std::max(hull.upper[d] - centre[d], centre[d] - hull.lower[d]) * kUp + 1e-15;
+    reach[i] = away[static_cast<int>(i)];
   }
   straight = BoundSolution(turn, kMostSolution, solution);
   if (straight)

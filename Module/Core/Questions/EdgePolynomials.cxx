@@ -2,6 +2,9 @@
 #include "Core/Questions/EdgePolynomials.h"
 
 #include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Questions/EdgeArithmetic.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -73,22 +76,6 @@ bool AreByXi(Shape shape, const List& all)
       [](const BoxPolynomial& divisor) { return divisor.b.size() == 1; });
 }
 
-BoxPolynomial Raised(const BoxPolynomial& f, const Degrees& degree)
-{
-  BoxPolynomial raised{ degree, std::vector<double>(CoefficientCount(degree)) };
-  Elevate(f.degree, degree, f.b, raised.b);
-  raised.error = f.error + ElevationError(degree, LargestMagnitude(f.b));
-  return raised;
-}
-
-BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g)
-{
-  Degrees degree;
-  std::ranges::transform(
-    f.degree, g.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
-  return Combine(1.0, Raised(f, degree), 1.0, Raised(g, degree));
-}
-
 /// Of a function of HessianFunction's list, by its chain rule: 11, 12, 13, 22, 23, 33 by xi where
 /// AreByXi, else those by eta as they are.
 List SecondsOf(Shape shape, const List& all, std::size_t function)
@@ -142,6 +129,13 @@ List FieldOf(const ScaledModes& map, std::span<const EdgePolynomials::Function> 
 Vec3 CentreOf(Shape shape, const EtaBox& box)
 {
   return TensorToReference(shape, 0.5 * (box.lower + box.upper));
+}
+
+Vec3 ReachOf(Shape shape, const EtaBox& box)
+{
+  const Box3 hull = HullInXi(shape, box);
+  const Vec3 centre = CentreOf(shape, box);
+  return glm::max(hull.upper - centre, centre - hull.lower) * edges::kUp + 1e-15;
 }
 
 EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Function> functions,

@@ -16,6 +16,8 @@ namespace pixelexact
 {
 /// In xi, of the middle of a box.
 [[nodiscard]] Vec3 CentreOf(Shape shape, const EtaBox& box);
+/// No xi of the box is farther from there along an axis.
+[[nodiscard]] Vec3 ReachOf(Shape shape, const EtaBox& box);
 
 /// The polynomials of an element's map and of functions on it over a piece of the cube, from
 /// which all that is known of its boxes is made: kept, because converting them costs more than

@@ -31,11 +31,6 @@ AffineBound Scaled(const AffineBound& bound, int exponent)
     by * bound.radius + std::numeric_limits<double>::min() };
 }
 
-Vec3 ReachOf(const Box3& hull, const Vec3& centre)
-{
-  return glm::max(hull.upper - centre, centre - hull.lower) * edges::kUp + 1e-15;
-}
-
 /// As a function of (xi - the middle) / reach.
 AffineForm FormOver(const AffineBound& bound, const Vec3& reach)
 {
@@ -201,11 +196,11 @@ double EdgeFunctions::ErrorOf(const ScaledModes& modes, int components, Part par
       for (int c = 0; c < components; ++c)
       {
         const RangeIngredient ingredient{ &modes, c, part };
-        sum += PieceForm::Of(modes.space, Level).ErrorBound(part, piece, ingredient.Modes());
+        sum += ingredient.RoundingInKernels(Level, piece);
       }
       error = std::max(error, sum);
     });
-  return std::ldexp(4.0 * error, modes.exponent);
+  return std::ldexp(error, modes.exponent);
 }
 
 Interval EdgeFunctions::RangeOver(
@@ -381,9 +376,8 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
 /// of several, their ranges.
 JetBounds EdgeFunctions::JetOver(const EtaBox& box) const
 {
-  const Box3 hull = HullInXi(GetShape(), box);
   const Vec3 centre = CentreOf(GetShape(), box);
-  const Vec3 reach = ReachOf(hull, centre);
+  const Vec3 reach = ReachOf(GetShape(), box);
   JetBounds all;
   int number = 0;
   ForEachPiece(box,
