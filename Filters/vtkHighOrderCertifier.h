@@ -16,7 +16,7 @@
  *
  * Bounds are proven, all rounding included, of what the coefficients define; -inf and inf where
  * none was found, NaN where a coefficient is not finite or the cell is no element. See
- * Documentation/certified-ranges.md.
+ * Documentation/element-tree.md.
  */
 
 #ifndef vtkHighOrderCertifier_h

@@ -21,8 +21,8 @@
  * the piece's modulo the number of pieces, and only these are read; of others, which are read
  * whole, the piece's share of the elements, in the order of the file. Elements have the numbers
  * that they have in the whole, where the pieces are the processes of the global controller; all of
- * them must then execute, and where one fails all do. Boundary faces, as faces.md has them, are
- * then those of the piece (parallel.md).
+ * them must then execute, and where one fails all do. Boundary faces, as curved-surfaces.md has
+ * them, are then those of the piece (parallel.md).
  *
  * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. What
  * was noticed in the files is reported as warnings and by GetDiagnostic().

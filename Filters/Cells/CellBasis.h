@@ -19,7 +19,7 @@ class vtkCell;
 //   hexahedron, tetrahedron   xi = 2 (r, s, t) - 1
 //   wedge                     xi = (2 r - 1, 1 - 2 t, 2 s - 1): triangle in xi1 and xi3, line in
 //                             xi2, reversed so that the handedness stays
-//   triangle, quadrilateral   those of the wedge and the hexahedron, of order 0 across (planar.md)
+//   triangle, quadrilateral   those of the wedge and the hexahedron, of order 0 across: a slab
 //   pyramid                   eta = 2 (r, s, t) - 1, collapsed to xi: VTK's are those of the cube
 namespace pixelexact
 {

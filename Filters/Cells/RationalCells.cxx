@@ -13,7 +13,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of an element's size. As of NURBS meshes (rational.md), but a cell is one element.
+/// Of an element's size. As of NURBS meshes (bases-and-kernels.md), but a cell is one element.
 constexpr double kLoss = 1e-14;
 /// Beyond this higher orders are not tried; in tetrahedra rounding comes to more than in products.
 constexpr double kEnough = 1e-13;

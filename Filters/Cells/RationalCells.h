@@ -20,7 +20,7 @@ class vtkDataArray;
 namespace pixelexact
 {
 /// The Bezier cells of a mesh whose weights differ, and the polynomials in their place
-/// (rational.md). Safe to read from several threads once converted.
+/// (bases-and-kernels.md). Safe to read from several threads once converted.
 class RationalCells
 {
 public:

@@ -33,9 +33,9 @@ struct ConversionReport
 };
 
 /// Makes `output` a grid of the input's three-dimensional cells or, where it has none, its plane
-/// ones (planar.md), with their coefficients and those of its fields, made from points and nodal
-/// values; the mesh is taken from `kept` where that has it, and kept there for the next time step.
-/// Parallel. Throws Error naming the cell or array; the output is then undefined.
+/// ones (bases-and-kernels.md), with their coefficients and those of its fields, made from points
+/// and nodal values; the mesh is taken from `kept` where that has it, and kept there for the next
+/// time step. Parallel. Throws Error naming the cell or array; the output is then undefined.
 ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
   KeptMesh& kept, vtkUnstructuredGrid* output);
 } // namespace pixelexact

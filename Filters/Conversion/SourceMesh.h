@@ -66,8 +66,8 @@ public:
   /// x, y, z per point of the grid.
   [[nodiscard]] std::span<const double> Coordinates() const { return Xyz; }
 
-  /// What the element's map loses because polynomials stand for rational functions (rational.md),
-  /// in world units; 0 for all other cells.
+  /// What the element's map loses because polynomials stand for rational functions
+  /// (bases-and-kernels.md), in world units; 0 for all other cells.
   [[nodiscard]] double Loss(int element) const { return Rationals.Loss(element); }
   /// The same of a component of values, in their units.
   [[nodiscard]] double Loss(

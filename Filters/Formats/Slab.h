@@ -8,7 +8,8 @@
 #include <string>
 
 // Plane meshes are slabs: triangles prisms, quadrilaterals hexahedra, whose fields do not change
-// across them (planar.md). A plane element's space is that of its solid, of order 0 across.
+// across them (bases-and-kernels.md). A plane element's space is that of its solid, of order 0
+// across.
 namespace pixelexact
 {
 /// Where a slab lies: from middle - thickness / 2 to middle + thickness / 2 along z.

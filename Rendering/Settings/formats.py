@@ -2,7 +2,7 @@
 """Reads the table of file formats, formats.json.
 
 load() gives its rows, each with all of KEYS. A row that contradicts itself or has an unknown key is
-a ValueError. Module/Documentation/how-to-add-a-format.md says what else a format needs.
+a ValueError. Module/Documentation/how-to-add.md says what else a format needs.
 """
 
 import functools

@@ -3,7 +3,7 @@
 
 load() gives its rows with all that the table states once for several rows filled in. A row that
 contradicts itself or has an unknown key is a ValueError. KEYS explains the keys of a row, and
-Module/Documentation/how-to-add-a-setting.md shows one.
+Module/Documentation/how-to-add.md shows one.
 """
 
 import json

@@ -75,7 +75,7 @@ struct BoundingPlane
   int offset;
 };
 
-/// notation.md's table of shapes.
+/// architecture.md's table of shapes.
 inline std::vector<BoundingPlane> BoundingPlanesOf(Shape shape)
 {
   std::vector<BoundingPlane> faces{ { { 1, 0, 0 }, 1 }, { { 0, 1, 0 }, 1 }, { { 0, 0, 1 }, 1 } };
@@ -99,8 +99,8 @@ inline std::vector<BoundingPlane> BoundingPlanesOf(Shape shape)
 }
 
 /// Whether x = Phi(xi) and xi lies in the shape, each as far as rounding and the documented
-/// tolerance at faces (location.md) allow. Made from the stored coefficients and the formulas, in
-/// long double where it matters; nothing of it is what the locator has computed.
+/// tolerance at faces (element-tree.md) allow. Made from the stored coefficients and the formulas,
+/// in long double where it matters; nothing of it is what the locator has computed.
 class FaceOracle
 {
 public:
@@ -193,7 +193,7 @@ private:
     return { std::clamp(xi.x, -1.0, -z), std::clamp(xi.y, -1.0, -z), z };
   }
 
-  /// u_j of location.md, in the element's units.
+  /// u_j of element-tree.md, in the element's units.
   [[nodiscard]] Vec3 Uncertainty(int element) const
   {
     const Space& space = TheMesh.map.SpaceOf(element);

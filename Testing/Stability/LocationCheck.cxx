@@ -175,7 +175,7 @@ void LocationCheck::MeasureValue(
   }
 }
 
-/// Of Phi and y, as location.md has it.
+/// Of Phi and y, as element-tree.md has it.
 std::array<double, 3> LocationCheck::Uncertainty() const
 {
   const auto [p, q, r] = MapSpace.order;

@@ -11,7 +11,7 @@ namespace pixelexact::testing
 ///
 /// Points of the element: Phi(xi) in Quad, rounded to double; the reference's preimage is that of
 /// the rounded point. Points known to be outside: the same with xi beyond a face, where Phi is
-/// injective, if they are farther out than twice the tolerance at faces (location.md) explains.
+/// injective, if they are farther out than twice the tolerance at faces (element-tree.md) explains.
 ///
 /// Allowed errors, u = 2^-53, to first order:
 ///   |Phi(xi) - y|  <= B + u |y| + |J| (u |xi| + last correction's error),

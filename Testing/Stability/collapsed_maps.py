@@ -198,7 +198,7 @@ class Element:
         gamma = n * U / (1 - n * U)
         sizes = [sum(abs(c) * b for c, b in zip(row, mode_bounds(shape, order)))
                  for row in self.modes]
-        # location.md's u_j; a coordinate is at most the sum of its modes.
+        # element-tree.md's u_j; a coordinate is at most the sum of its modes.
         self.uncertainty = [self.apart + (4 * U + gamma) * size for size in sizes]
 
     def value_at(self, eta):

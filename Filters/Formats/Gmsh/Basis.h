@@ -12,7 +12,7 @@
 //   prism         xi = (2 u - 1, -w, 2 v - 1)
 //   pyramid       xi = (u - w, v - w, 2 w - 1)
 //   triangle      xi = (2 u - 1, 0, 2 v - 1), quadrilateral xi = (u, v, 0), of order 0 across
-//                 (planar.md)
+//                 (bases-and-kernels.md)
 namespace pixelexact::gmsh
 {
 /// Of one change of basis from all of an element's sources.

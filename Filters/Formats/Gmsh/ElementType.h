@@ -20,7 +20,7 @@ struct ElementType
   int nodes = 0;        ///< all of them
   int order = 0;        ///< of its polynomials
   bool complete = true; ///< false: without nodes in faces and interior
-  /// Of dimension 3; of dimension 2 that of the slab's solid (planar.md).
+  /// Of dimension 3; of dimension 2 that of the slab's solid (bases-and-kernels.md).
   Shape shape = Shape::Hexahedron;
 };
 
@@ -54,6 +54,6 @@ struct ElementFace
 const std::vector<ElementFace>& FacesOf(Shape shape);
 
 /// The edges of a triangle or quadrilateral, and the faces behind them in VTK's linear cell of the
-/// slab (planar.md).
+/// slab (bases-and-kernels.md).
 const std::vector<ElementFace>& SidesOf(bool triangle);
 } // namespace pixelexact::gmsh

@@ -7,7 +7,8 @@
 #include <optional>
 #include <span>
 
-// Rational Bezier hexahedra as polynomials, with a proven bound of what is lost (rational.md).
+// Rational Bezier hexahedra as polynomials, with a proven bound of what is lost
+// (bases-and-kernels.md).
 namespace pixelexact::rational
 {
 inline constexpr long double kLongRoundoff = std::numeric_limits<long double>::epsilon() / 2;

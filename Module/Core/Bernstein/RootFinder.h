@@ -49,7 +49,7 @@ struct RootSearchResult
 };
 
 /// All roots of a polynomial system in the unit cube, or the boxes where that could not be decided.
-/// Never loses a root, never invents one: see Module/Documentation/engine.md for the method and its
-/// proofs.
+/// Never loses a root, never invents one: see Module/Documentation/element-tree.md for the method
+/// and its proofs.
 RootSearchResult FindRoots(const PolynomialSystem& system, const RootSearch& search = {});
 } // namespace pixelexact

@@ -63,7 +63,7 @@ struct ContourRequest
   double tolerance = 0.0;
 };
 
-/// The contours of a field on a cut-surface as polylines: see Documentation/contour-lines.md for
+/// The contours of a field on a cut-surface as polylines: see Documentation/contours-proof.md for
 /// the method and for what is proven. The locator is the mesh's. In parallel; the result does not
 /// depend on threads.
 /// Throws InvalidData for values that are not finite or a tolerance that is too small, and

@@ -81,7 +81,7 @@ private:
 ///
 /// Enclosures tighten quadratically: halving a box quarters the distance of the outer ends from the
 /// attained ones, until what is left is the bound of rounding errors (see
-/// Documentation/certified-ranges.md for its size). `met` is false where the budget, or 64 MiB,
+/// Documentation/bases-and-kernels.md for its size). `met` is false where the budget, or 64 MiB,
 /// were spent first. Where det J may vanish, gradients and mapped values are not bounded, and the
 /// outer ends infinite. In a pyramid's Tensor form derivatives are those of the function closed at
 /// the apex (PieceForm.h); where that is not the stored one up to rounding, they are not bounded.

@@ -24,7 +24,7 @@ struct BehindFace
 /// there within the faces' tolerance, on a face that looks against this one, is behind it. So along
 /// the rim of what covers a face the answer is that of a rim moved by rounding; what lies off the
 /// face by more than the uncertainties, or overlaps this element by 1e-6 of its size, is not behind
-/// it (see Documentation/faces.md).
+/// it (see Documentation/curved-surfaces.md).
 ///
 /// Serial; best called with neighbours. The answer for a point depends on that point alone.
 void FindBehind(const Locator& locator, const ElementFace& face, std::span<const Vec3> xi,

@@ -11,7 +11,8 @@ namespace pixelexact
 {
 /// What lies behind each face of each element, from the mesh's geometry alone: files need not say
 /// which elements are neighbours, and neighbours need not share nodes. See
-/// Documentation/faces.md for the method, for what is compared and for what is not proven.
+/// Documentation/curved-surfaces.md for the method, for what is compared and for what is not
+/// proven.
 ///
 /// Safe to use from several threads. Threads and order of work change nothing in it.
 class FaceTable

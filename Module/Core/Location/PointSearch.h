@@ -57,7 +57,7 @@ enum class Wanted : std::uint8_t
 ///
 /// A box is left behind where its frame excludes the point, or where the map is regular
 /// (injective) on it and the one root that it can hold is known. Newton's iteration finds the
-/// roots. See Module/Documentation/location.md.
+/// roots. See Module/Documentation/element-tree.md.
 ///
 /// The answer for a point depends on that point and the element alone: not on the points asked
 /// with it, nor on what the tree was asked before. Work is counted as if the tree had to be grown

@@ -66,7 +66,8 @@ struct PlanarValues
 /// `work`: what halving nodes may cost, of several questions; null: without a limit. What is not
 /// found out for want of it is not proven.
 ///
-/// Everything holds for the stored map and field. See Documentation/contours.md for the proofs.
+/// Everything holds for the stored map and field. See Documentation/contours-proof.md for the
+/// proofs.
 class EdgeBounds
 {
 public:

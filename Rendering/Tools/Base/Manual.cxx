@@ -151,7 +151,7 @@ std::string OptionsPage(const CLI::App& program)
   std::string text = R"(# Options of the command line
 
 `pixelexact COMMAND --help-all` prints the same of one command. This page is generated:
-[how to add a setting](how-to-add-a-setting.md).
+[how to add a setting](how-to-add.md#a-setting).
 )";
   std::string_view group;
   std::string_view commands;

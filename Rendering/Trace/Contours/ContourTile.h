@@ -43,7 +43,7 @@ private:
   std::vector<EdgeEnd> Ends;
 };
 
-/// The verdicts of one tile's pixels; see Documentation/contours.md.
+/// The verdicts of one tile's pixels; see Documentation/contours-proof.md.
 class ContourTile
 {
 public:

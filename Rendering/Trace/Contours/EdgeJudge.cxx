@@ -19,7 +19,7 @@ namespace
 /// Of the largest magnitude of an element's values: it is not asked whether the component holds a
 /// value there from which an end's is farther off. That saves time alone.
 constexpr double kNearPlateau = 1e-9;
-/// Of a point that stays unknown (location.md), in nanoseconds.
+/// Of a point that stays unknown (element-tree.md), in nanoseconds.
 constexpr std::int64_t kCostOfUnknown = 6'000'000;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
 /// of a pixel and less.

@@ -27,8 +27,8 @@ ElementBasis PyramidBasis(const CollectionName& name);
 /// Nedelec's and Raviart and Thomas's elements.
 ElementBasis VectorBasis(const CollectionName& name, Geometry solid);
 
-// Nedelec's and Raviart and Thomas's elements in the plane, on the solids of a slab (planar.md).
-// Fluxes are those of a slab of the unit element's thickness.
+// Nedelec's and Raviart and Thomas's elements in the plane, on the solids of a slab
+// (bases-and-kernels.md). Fluxes are those of a slab of the unit element's thickness.
 
 ElementBasis TriangleVectorBasis(const CollectionName& name);
 ElementBasis SquareVectorBasis(const CollectionName& name);

@@ -11,7 +11,7 @@
 namespace pixelexact::mfem
 {
 /// Rational maps and fields of a NURBS mesh as polynomials, on parts of its knot spans where these
-/// are too long for that (rational.md).
+/// are too long for that (bases-and-kernels.md).
 class NurbsModel
 {
 public:

@@ -84,7 +84,8 @@ struct SolidTag
 inline constexpr SolidTag kSolidTags[] = { { "A", Shape::Tetrahedron }, { "P", Shape::Pyramid },
   { "R", Shape::Prism }, { "H", Shape::Hexahedron } };
 
-/// The elements of plane meshes, as the solids of a slab (planar.md), whose only face is their own.
+/// The elements of plane meshes, as the solids of a slab (bases-and-kernels.md), whose only face is
+/// their own.
 inline constexpr SolidTag kPlaneTags[] = { { "T", Shape::Prism }, { "Q", Shape::Hexahedron } };
 
 /// The elements of one-dimensional meshes.
