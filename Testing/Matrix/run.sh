@@ -15,7 +15,7 @@
 #   MATRIX_JOBS      compilers at once (default 1); all run at the lowest priority
 #   MATRIX_MIRROR    (default http://deb.debian.org/debian)
 #   MATRIX_STALE     yes: of a mirror that is behind, lists that have expired are taken, too
-# The last line is a row of the table in README.md.
+# The last line is a row of the table in Testing/README.md.
 set -euo pipefail
 release=${1:?"run.sh RELEASE [ROOTS]: bookworm, trixie or testing"}
 roots=${2:-/var/tmp/pixelexact-roots}
