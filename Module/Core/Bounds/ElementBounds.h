@@ -15,7 +15,7 @@ namespace pixelexact
 ///
 /// In the element's units y = (x - centre) / size, the frame is the affine map with the inverse
 /// Jacobian A^-1 at the shape's centre xi_c, and
-///   T(xi) = A^-1 (Phi(xi) - Phi(xi_c)) + xi_c - xi
+///   D(xi) = A^-1 (Phi(xi) - Phi(xi_c)) + xi_c - xi
 /// its deviation. Every preimage xi of y lies in  xi_0 - [lower, upper],
 /// xi_0 = A^-1 (y - Phi(xi_c)) + xi_c.
 struct ElementBounds

@@ -132,7 +132,7 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
     return false;
   }
   // Every preimage in `wide` of a point of the region is within `off` of what is between these:
-  // T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
+  // D(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
   const AffineImages images(functions, node, region);
   double off[3];
   for (std::size_t k = 0; k < 3; ++k)

@@ -29,7 +29,7 @@ constexpr double kLeftOfSize = 0.005;
 constexpr int kModelSteps = 2;
 constexpr int kModelRounds = 3;
 
-/// T(xi) = M (Phi(xi) - origin) - (xi - centre) is at most this.
+/// D(xi) = M (Phi(xi) - origin) - (xi - centre) is at most this.
 double TurnedIn(const EdgeNode& node, std::size_t k)
 {
   const double(&turn)[3] = node.turn[k];
@@ -101,7 +101,7 @@ std::optional<Vec3> FindByModel(
     about = AtPoint(model, at);
   }
 
-  // Bounds |xi - at| of the preimages: they are no farther from the affine map's than T is large.
+  // Bounds |xi - at| of the preimages: they are no farther from the affine map's than D is large.
   std::array<Vec3, Outline::kMostCorners> places;
   double away[3] = {};
   double farther[3] = {};

@@ -37,7 +37,7 @@ double SlopeOf(
 
 /// Whether M J is strictly diagonally dominant over a hexahedron's box and its reach, where J is
 /// Phi's Jacobian and M near its inverse in the middle of what it is over the box: A J is I and the
-/// derivatives of T, which lie within radii R of their middles; with B about the inverse of I and
+/// derivatives of D, which lie within radii R of their middles; with B about the inverse of I and
 /// these, B A J is B (I + middles) up to |B| R.
 bool IsDominant(
   const std::array<int, 3>& degree, const DeviationSteps& steps, const NodeFrame& frame)

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// Differences of neighbours among the coefficients of a frame's deviation T: [row][direction].
+/// Differences of neighbours among the coefficients of a frame's deviation D: [row][direction].
 using DeviationSteps = std::array<std::array<FrameSteps, 3>, 3>;
 
 inline double LargestStep(const FrameSteps& steps)
@@ -18,7 +18,7 @@ inline double LargestStep(const FrameSteps& steps)
 }
 
 /// Whether Phi, of this degree, is injective over a hexahedron's box and its reach (ReachOf), as
-/// far as the frame tells: where the derivatives of T = A^-1 Phi - xi are small, and where
+/// far as the frame tells: where the derivatives of D = A^-1 Phi - xi are small, and where
 /// `products` are asked for, where they hardly vary. False proves nothing.
 bool IsInjective(const std::array<int, 3>& degree, const DeviationSteps& steps,
   const NodeFrame& frame, bool products);
