@@ -16,7 +16,7 @@
  *
  * Bounds are proven, all rounding included, of what the coefficients define; -inf and inf where
  * none was found, NaN where a coefficient is not finite or the cell is no element. See
- * Documentation/element-tree.md.
+ * Documentation/proven.md.
  */
 
 #ifndef vtkHighOrderCertifier_h

@@ -4,14 +4,14 @@
  * @brief   reads MFEM meshes and grid functions
  *
  * The mesh (SetFileName): MFEM mesh v1.0 to v1.3, NC mesh v1.0, NURBS mesh v1.0 and v1.1
- * (bases-and-kernels.md), straight or with nodes of any order, tetrahedra, hexahedra, prisms and
- * pyramids, or in the plane triangles and quadrilaterals (bases-and-kernels.md), conforming or not,
- * periodic too. Grid functions (AddGridFunctionFileName) become fields named after their files: H1,
- * L2, H(curl), H(div) of any order and basis type, NURBS. Files may be gzip-compressed. Files of
- * parallel runs: of a mesh `x.000000` all pieces that lie beside it are read, and of a grid
- * function `u.000000` as many. A root file of a VisIt collection (`x.mfem_root`) stands for its
- * mesh and its grid functions; several (AddStepFileName) are time steps, each with a mesh of its
- * own. Module/Documentation/readers.md says what is refused.
+ * (files.md), straight or with nodes of any order, tetrahedra, hexahedra, prisms and pyramids,
+ * or in the plane triangles and quadrilaterals (files.md), conforming or not, periodic too. Grid
+ * functions (AddGridFunctionFileName) become fields named after their files: H1, L2, H(curl),
+ * H(div) of any order and basis type, NURBS. Files may be gzip-compressed. Files of parallel runs:
+ * of a mesh `x.000000` all pieces that lie beside it are read, and of a grid function `u.000000` as
+ * many. A root file of a VisIt collection (`x.mfem_root`) stands for its mesh and its grid
+ * functions; several (AddStepFileName) are time steps, each with a mesh of its own.
+ * Module/Documentation/readers.md says what is refused.
  */
 
 #ifndef vtkMFEMReader_h

@@ -3,10 +3,10 @@
  * @class   vtkNektarReader
  * @brief   reads Nektar++ sessions and field files
  *
- * The session (SetFileName) holds the geometry of three dimensions or two (bases-and-kernels.md):
- * XML, plain or compressed, or the name of an HDF5 file beside it (`.nekg`), which may also be
- * named itself. Further session files (AddSessionFileName) may hold the rest, or other parts of the
- * mesh; a folder (`NAME_xml`, as parallel runs write it) stands for the parts in it. Field files
+ * The session (SetFileName) holds the geometry of three dimensions or two (files.md): XML, plain
+ * or compressed, or the name of an HDF5 file beside it (`.nekg`), which may also be named itself.
+ * Further session files (AddSessionFileName) may hold the rest, or other parts of the mesh; a
+ * folder (`NAME_xml`, as parallel runs write it) stands for the parts in it. Field files
  * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML or HDF5; a folder for those of parallel runs)
  * become fields of the names in them. Several field files are time steps, ordered by the time in
  * their metadata, or where one has none by the order given and numbered from 0.

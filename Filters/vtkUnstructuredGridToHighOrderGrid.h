@@ -5,11 +5,11 @@
  *
  * Takes linear, quadratic, Lagrange and Bezier tetrahedra, hexahedra, wedges and pyramids (Lagrange
  * and Bezier: no pyramids; Bezier with unequal weights: hexahedra and quadrilaterals, see
- * bases-and-kernels.md) and makes a vtkHighOrderGrid of the same points and cells, with the
- * coefficients of the geometry and of the fields. Point data become fields of the cells' orders,
- * cell data fields that are constant in each cell. Cells of lower dimension are left out and
- * counted. A grid without solid cells whose triangles and quadrilaterals (linear, quadratic,
- * Lagrange, Bezier) lie in a plane z = const becomes a thin slab on it (bases-and-kernels.md): its
+ * files.md) and makes a vtkHighOrderGrid of the same points and cells, with the coefficients of
+ * the geometry and of the fields. Point data become fields of
+ * the cells' orders, cell data fields that are constant in each cell. Cells of lower dimension are
+ * left out and counted. A grid without solid cells whose triangles and quadrilaterals (linear,
+ * quadratic, Lagrange, Bezier) lie in a plane z = const becomes a thin slab on it (files.md): its
  * cells stay plane, its coefficients are those of prisms and hexahedra.
  *
  * A grid that carries coefficients already, for instance one whose points were moved since, is

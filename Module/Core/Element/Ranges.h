@@ -80,11 +80,11 @@ private:
 /// uncertainty (how far the true map may be from the stored one) is not included.
 ///
 /// Enclosures tighten quadratically: halving a box quarters the distance of the outer ends from the
-/// attained ones, until what is left is the bound of rounding errors (see
-/// Documentation/bases-and-kernels.md for its size). `met` is false where the budget, or 64 MiB,
-/// were spent first. Where det J may vanish, gradients and mapped values are not bounded, and the
-/// outer ends infinite. In a pyramid's Tensor form derivatives are those of the function closed at
-/// the apex (PieceForm.h); where that is not the stored one up to rounding, they are not bounded.
+/// attained ones, until the bound of rounding errors remains, some 1e-13 of the range of a resolved
+/// field. `met` is false where the budget, or 64 MiB, were spent first. Where det J may vanish,
+/// gradients and mapped values are not bounded, and the outer ends infinite. In a pyramid's Tensor
+/// form derivatives are those of the function closed at the apex (PieceForm.h); where that is not
+/// the stored one up to rounding, they are not bounded.
 CertifiedRange RangeOf(const Mesh& mesh, int element, const RangeQuestion& question,
   const RangeEffort& effort = {}, const Box3& part = kWholeElement);
 
