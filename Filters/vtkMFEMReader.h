@@ -11,7 +11,7 @@
  * of a mesh `x.000000` all pieces that lie beside it are read, and of a grid function `u.000000` as
  * many. A root file of a VisIt collection (`x.mfem_root`) stands for its mesh and its grid
  * functions; several (AddStepFileName) are time steps, each with a mesh of its own.
- * Module/Documentation/readers.md says what is refused.
+ * Module/Documentation/files.md says what is refused.
  */
 
 #ifndef vtkMFEMReader_h

@@ -10,7 +10,7 @@
  * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML or HDF5; a folder for those of parallel runs)
  * become fields of the names in them. Several field files are time steps, ordered by the time in
  * their metadata, or where one has none by the order given and numbered from 0.
- * Module/Documentation/readers.md says what is read and what is not.
+ * Module/Documentation/files.md says what is read and what is not.
  */
 
 #ifndef vtkNektarReader_h

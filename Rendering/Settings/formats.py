@@ -21,7 +21,7 @@ KEYS = {
     "paraview_suffixes": "the suffixes with which ParaView opens the reader; else those of `mesh`",
     "help": "one sentence about the files",
 }
-# The first lines of the table of formats in Module/Documentation/readers.md.
+# The first lines of the table of formats in Module/Documentation/files.md.
 PAGE_HEAD = "| format | meshes | fields | reader in ParaView | files |\n|---|---|---|---|---|\n"
 
 

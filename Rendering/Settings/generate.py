@@ -7,7 +7,7 @@
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
     generate.py readers TEMPLATE.in OUT ParaView's readers, with the suffixes of <ReaderFactory reader="..."
-    generate.py page PAGE.md            the table of formats, in place of the one in readers.md
+    generate.py page PAGE.md            the table of formats, in place of the one in files.md
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
 """

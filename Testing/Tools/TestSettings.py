@@ -125,8 +125,8 @@ class Formats(ToolTest):
         return path
 
     def test_table_of_formats(self):
-        """Where it fails: Rendering/Settings/generate.py page Module/Documentation/readers.md."""
-        page = (PAGE.parent / "readers.md").read_text(encoding="utf-8")
+        """Where it fails: Rendering/Settings/generate.py page Module/Documentation/files.md."""
+        page = (PAGE.parent / "files.md").read_text(encoding="utf-8")
         self.assertIn(f"\n{formats.page_table()}\n", page)
 
     def test_readers_in_paraview(self):
