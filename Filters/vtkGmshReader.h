@@ -3,10 +3,10 @@
  * @class   vtkGmshReader
  * @brief   reads Gmsh meshes and the views on them
  *
- * The mesh (SetFileName): Gmsh's `.msh`, version 2.0 to 2.2 or 4.1, text or binary, with tetrahedra,
- * hexahedra, prisms and pyramids of any order. Views in the same file, or in further ones
- * (AddViewFileName) that hold no mesh, become fields of their names. Their steps are time steps.
- * Files may be gzip-compressed. Module/Documentation/files.md says what is refused.
+ * The mesh (SetFileName): Gmsh's `.msh`, version 2.0 to 2.2 or 4.1, text or binary, with
+ * tetrahedra, hexahedra, prisms and pyramids of any order. Views in the same file, or in further
+ * ones (AddViewFileName) that hold no mesh, become fields of their names. Their steps are time
+ * steps. Files may be gzip-compressed. Module/Documentation/files.md says what is refused.
  */
 
 #ifndef vtkGmshReader_h
