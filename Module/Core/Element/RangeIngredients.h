@@ -38,7 +38,7 @@ struct RangeIngredient
   [[nodiscard]] BoxPolynomial Over(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
   /// Bounds the rounding of the kernels' values on a piece by 4 times what its conversion makes at
-  /// most: they make the same sums, but for the order of the factors (accuracy.md).
+  /// most: they make the same sums, but for the order of the factors.
   [[nodiscard]] double RoundingInKernels(int level, const PieceForm::Piece& piece) const;
 };
 

@@ -25,7 +25,7 @@ namespace
 {
 constexpr int kMostOrder = 16;
 constexpr Part kValue[1] = { Part::Value };
-/// Of kernels' errors over those of conversions (accuracy.md).
+/// Largest ratio of the kernels' rounding to that of conversions (see RoundingInKernels).
 constexpr double kKernels = 4.0;
 /// Covers what is left out of bounds that are far smaller than what they bound.
 constexpr double kBoundSlack = 1.0 + 0x1p-10;
