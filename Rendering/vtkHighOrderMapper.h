@@ -35,9 +35,9 @@
  *
  * While somebody moves the scene (a window with an interactor that wants a frame each second or
  * more often, its DesiredUpdateRate) and exact frames take longer, coarse ones are shown: blocks of
- * 8, 4 or 2 pixels with the colour of one. Further renders of the same view refine them; when the
- * window can wait, the frame is completed, and is the same, to the bit, as one that was made at
- * once. Pictures that vtkWindowToImageFilter renders are complete, too.
+ * 16 or 4 pixels in both directions with the colour of one. Further renders of the same view refine
+ * them; when the window can wait, the frame is completed, and is the same, to the bit, as one that
+ * was made at once. Pictures that vtkWindowToImageFilter renders are complete, too.
  *
  * Layers that are not opaque are drawn with the renderer's translucent geometry, sheet by sheet
  * with their own depths.

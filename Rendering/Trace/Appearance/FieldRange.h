@@ -20,8 +20,7 @@ namespace pixelexact
 /// component (or kMagnitude) of a field over a mesh. The ends lie beyond values that are attained
 /// by at most a thousandth of the range, but where the search ends early (2000 boxes for an element
 /// whose map folds). Elements with a NaN or infinite coefficient are left out; none where there are
-/// no others. Throws Error where no bound was found. What it takes, beside building a locator:
-/// Documentation/windows.md.
+/// no others. Throws Error where no bound was found.
 [[nodiscard]] std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& field,
   int component, const std::function<void(double)>& progress = {});
 
