@@ -9,7 +9,7 @@
  * vtkGhostCellsGenerator, vtkMPIMoveData and .pvtu files each cell still has its own. All classes
  * of PixelExact take such grids as they are; vtkHighOrderUnpack makes the FieldData anew. What was
  * done to points, cells or nodal values is noticed as without packing. See
- * Documentation/parallel.md for what survives which filter, and what it costs.
+ * Documentation/parallel.md for what survives which filter.
  *
  * An array is as wide as the element of most coefficients needs, so that mixed and varying orders
  * are padded with zeros. VTK appends arrays of the same width alone: blocks of composite data and
