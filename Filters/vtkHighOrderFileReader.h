@@ -17,9 +17,9 @@
  * request.
  *
  * Asked for a piece of several (UPDATE_PIECE_NUMBER), as by each process of a parallel run, it
- * gives that piece: of a run that left a file for each of its processes the files whose number is
- * the piece's modulo the number of pieces, and only these are read; of others, which are read
- * whole, the piece's share of the elements, in the order of the file. Elements have the numbers
+ * gives that piece: of a run that left a file for each of its processes some consecutive files,
+ * and only these are read; of others, which are read whole, the piece's share of the elements, in
+ * the order of the file. Elements have the numbers
  * that they have in the whole, where the pieces are the processes of the global controller; all of
  * them must then execute, and where one fails all do. Boundary faces, as curved-surfaces.md has
  * them, are then those of the piece (parallel.md).
