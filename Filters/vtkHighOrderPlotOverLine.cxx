@@ -88,7 +88,7 @@ std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, c
   std::vector<double> breaks;
   while (!open.empty())
   {
-    std::vector<Stretch> halved;
+    std::vector<Stretch> subdivided;
     std::vector<double> middles;
     for (const Stretch& stretch : open)
     {
@@ -100,15 +100,15 @@ std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, c
         breaks.push_back(stretch.to.t);
         continue;
       }
-      halved.push_back(stretch);
+      subdivided.push_back(stretch);
       middles.push_back(middle);
     }
     open.clear();
     const std::vector<StretchEnd> located = Locate(model, start, end, middles);
-    for (std::size_t i = 0; i < halved.size(); ++i)
+    for (std::size_t i = 0; i < subdivided.size(); ++i)
     {
-      add(halved[i].from, located[i]);
-      add(located[i], halved[i].to);
+      add(subdivided[i].from, located[i]);
+      add(located[i], subdivided[i].to);
     }
   }
   std::ranges::sort(breaks);

@@ -55,7 +55,7 @@ public:
   ///@{
   /**
    * How far linear cells may be off: in place, over the diagonal of the mesh's box, and in the
-   * values of the fields, over their ranges. Judged at the middles of edges and cells: samples,
+   * values of the fields, over their ranges. Classified at the middles of edges and cells: samples,
    * which prove nothing. 0, the default: all elements get the same level.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);

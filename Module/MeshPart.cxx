@@ -66,15 +66,15 @@ MeshPart::MeshPart(vtkUnstructuredGrid* grid, Key key)
   const auto source = ViewArray<std::int64_t>(grid, prefix + "SourceCell", 1, Stored, keeper);
   Fingerprints = ViewArray<std::int64_t>(grid, prefix + "Fingerprint", 1, Stored, keeper);
 
-  TheCells = std::make_unique<CellElements>(grid, Stored);
+  cells_ = std::make_unique<CellElements>(grid, Stored);
   CompareCells(grid);
-  TheMesh.map = Storage.Assemble(std::move(view), *TheCells, 3);
-  TheMesh.centre = TheCells->Select(centre, Storage.doubles, 3);
-  TheMesh.size = TheCells->Select(size, Storage.doubles);
-  TheMesh.uncertainty = TheCells->Select(uncertainty, Storage.doubles);
-  Sources = TheCells->Select(source, Storage.longs);
-  Validate(TheMesh);
-  Boundary = ReadBoundary(grid, TheMesh, *TheCells, Stored);
+  mesh_.map = Storage.Assemble(std::move(view), *cells_, 3);
+  mesh_.centre = cells_->Select(centre, Storage.doubles, 3);
+  mesh_.size = cells_->Select(size, Storage.doubles);
+  mesh_.uncertainty = cells_->Select(uncertainty, Storage.doubles);
+  Sources = cells_->Select(source, Storage.longs);
+  Validate(mesh_);
+  Boundary = ReadBoundary(grid, mesh_, *cells_, Stored);
 }
 
 MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
@@ -93,26 +93,26 @@ MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
       face.face.element += static_cast<std::int32_t>(Stored);
       Boundary.push_back(face);
     }
-    maps.push_back(&part->TheMesh.map);
-    centre.push_back(part->TheMesh.centre);
-    size.push_back(part->TheMesh.size);
-    uncertainty.push_back(part->TheMesh.uncertainty);
+    maps.push_back(&part->mesh_.map);
+    centre.push_back(part->mesh_.centre);
+    size.push_back(part->mesh_.size);
+    uncertainty.push_back(part->mesh_.uncertainty);
     source.push_back(part->Sources);
-    Stored += part->TheMesh.Elements();
+    Stored += part->mesh_.Elements();
   }
-  TheMesh.map = pixelexact::Join(maps, Storage);
-  TheMesh.centre = pixelexact::Join(centre, Storage.doubles);
-  TheMesh.size = pixelexact::Join(size, Storage.doubles);
-  TheMesh.uncertainty = pixelexact::Join(uncertainty, Storage.doubles);
+  mesh_.map = pixelexact::Join(maps, Storage);
+  mesh_.centre = pixelexact::Join(centre, Storage.doubles);
+  mesh_.size = pixelexact::Join(size, Storage.doubles);
+  mesh_.uncertainty = pixelexact::Join(uncertainty, Storage.doubles);
   Sources = pixelexact::Join(source, Storage.longs);
-  Validate(TheMesh);
+  Validate(mesh_);
 }
 
 MeshPart::~MeshPart() = default;
 
 void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
 {
-  TheCells->Compare(
+  cells_->Compare(
     grid, [grid](Hash hash) { return CellFingerprints(grid, hash); }, Fingerprints,
     "is not the one that its coefficients were made from: it was cut (Clip), its points were moved "
     "(Transform, Warp), "
@@ -161,10 +161,10 @@ const Locator& MeshPart::GetLocator() const
   std::call_once(LocatorOnce,
     [this]
     {
-      TheLocator = std::make_unique<Locator>(TheMesh);
+      locator_ = std::make_unique<Locator>(mesh_);
       LocatorMade = true;
     });
-  return *TheLocator;
+  return *locator_;
 }
 
 const FaceTable& MeshPart::GetFaces() const
@@ -172,9 +172,9 @@ const FaceTable& MeshPart::GetFaces() const
   std::call_once(FacesOnce,
     [this]
     {
-      TheFaces = std::make_unique<FaceTable>(GetLocator().Index());
+      faces_ = std::make_unique<FaceTable>(GetLocator().Index());
       FacesMade = true;
     });
-  return *TheFaces;
+  return *faces_;
 }
 } // namespace pixelexact

@@ -34,10 +34,10 @@ public:
   MeshPart(const MeshPart&) = delete;
   MeshPart& operator=(const MeshPart&) = delete;
 
-  [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
+  [[nodiscard]] const Mesh& GetMesh() const { return mesh_; }
   /// Of the grid's cells among the stored elements, of which there are StoredElements(). Not of
   /// joined parts.
-  [[nodiscard]] const CellElements& Cells() const { return *TheCells; }
+  [[nodiscard]] const CellElements& Cells() const { return *cells_; }
   [[nodiscard]] vtkIdType StoredElements() const { return Stored; }
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const { return Sources; }
   [[nodiscard]] std::span<const AttributedFace> BoundaryFaces() const { return Boundary; }
@@ -61,17 +61,17 @@ private:
   Key Arrays;                                         ///< of a grid
   std::vector<std::shared_ptr<const MeshPart>> Parts; ///< of what is joined
   ViewStorage Storage;
-  Mesh TheMesh;
-  std::unique_ptr<CellElements> TheCells;
+  Mesh mesh_;
+  std::unique_ptr<CellElements> cells_;
   vtkIdType Stored = 0;
   std::span<const std::int64_t> Sources;
   std::vector<AttributedFace> Boundary;
   std::span<const std::int64_t> Fingerprints; ///< per stored element
   mutable std::once_flag LocatorOnce;
-  mutable std::unique_ptr<Locator> TheLocator;
+  mutable std::unique_ptr<Locator> locator_;
   mutable std::atomic<bool> LocatorMade{ false };
   mutable std::once_flag FacesOnce;
-  mutable std::unique_ptr<FaceTable> TheFaces;
+  mutable std::unique_ptr<FaceTable> faces_;
   mutable std::atomic<bool> FacesMade{ false };
 };
 } // namespace pixelexact

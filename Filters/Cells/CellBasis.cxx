@@ -153,7 +153,7 @@ class SampledFunctions
 {
 public:
   SampledFunctions(const CellKind& kind, const Space& space)
-    : TheShape(space.shape)
+    : shape_(space.shape)
     , Functions(kind.points)
   {
     const auto degree = space.TensorDegree();
@@ -172,7 +172,7 @@ public:
         for (const long double z : points[2])
         {
           const Vec3 eta(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-          const auto at = Parametric(kind.type, TheShape, eta);
+          const auto at = Parametric(kind.type, shape_, eta);
           cell->InterpolateFunctions(at.data(), weights.data());
           Samples.insert(Samples.end(), weights.begin(), weights.end());
         }
@@ -182,7 +182,7 @@ public:
 
   void operator()(const LongVec3& xi, long double* values) const
   {
-    const LongVec3 eta = TensorOf(TheShape, xi);
+    const LongVec3 eta = TensorOf(shape_, xi);
     std::array<std::vector<long double>, 3> line;
     for (int d = 0; d < 3; ++d)
     {
@@ -207,7 +207,7 @@ public:
   }
 
 private:
-  Shape TheShape;
+  Shape shape_;
   int Functions;
   std::array<LineFunctions, 3> Lines;
   std::vector<double> Samples; ///< all functions at a point, eta3 fastest

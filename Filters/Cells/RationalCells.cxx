@@ -19,10 +19,10 @@ constexpr double kLoss = 1e-14;
 constexpr double kEnough = 1e-13;
 constexpr double kEnoughOfTetrahedra = 1e-12;
 /// What is taken where the highest orders do not reach that, as of fields.
-constexpr double kMostLoss = 1e-9;
-constexpr int kMostOrder = kMaxOrder - 2;
+constexpr double kMaxLoss = 1e-9;
+constexpr int kMaxRationalOrder = kMaxOrder - 2;
 /// Of tetrahedra, whose change of basis is dense.
-constexpr int kMostTetrahedronOrder = 16;
+constexpr int kMaxTetrahedronOrder = 16;
 
 rational::Orders DegreesOf(const Space& space)
 {
@@ -85,7 +85,8 @@ void RationalCells::Convert(std::span<const double> coordinates, int components,
   const std::span<const int> which(all.data(), static_cast<std::size_t>(components));
   const auto isTetrahedron = [](const auto& entry)
   { return entry.second.space.shape == Shape::Tetrahedron; };
-  const int most = std::ranges::any_of(Cells, isTetrahedron) ? kMostTetrahedronOrder : kMostOrder;
+  const int most =
+    std::ranges::any_of(Cells, isTetrahedron) ? kMaxTetrahedronOrder : kMaxRationalOrder;
   int order = 0;
   for (const auto& [e, cell] : Cells)
   {
@@ -107,7 +108,7 @@ void RationalCells::Convert(std::span<const double> coordinates, int components,
       }
       cell.loss = LossOf(cell, element);
       const double extent = ExtentOf(element);
-      if (cell.loss > kMostLoss * extent && order >= most)
+      if (cell.loss > kMaxLoss * extent && order >= most)
       {
         throw Unsupported(describe(e) +
           " has rational weights that differ so much that polynomials of order " +

@@ -33,7 +33,7 @@ class Maker
 {
 public:
   Maker(Shape shape, int parts)
-    : TheShape(shape)
+    : shape_(shape)
     , N(parts)
     , Numbers(static_cast<std::size_t>(parts + 1) * (parts + 1) * (parts + 1), -1)
   {
@@ -64,7 +64,7 @@ private:
 
   [[nodiscard]] bool Holds(const LatticePlace& p) const
   {
-    switch (TheShape)
+    switch (shape_)
     {
       case Shape::Hexahedron:
         return p.i <= N && p.j <= N && p.k <= N;
@@ -120,7 +120,7 @@ private:
 
   void AddCells(const LatticePlace& p)
   {
-    switch (TheShape)
+    switch (shape_)
     {
       case Shape::Hexahedron:
         AddCell(VTK_HEXAHEDRON, p,
@@ -170,7 +170,7 @@ private:
     AddCell(VTK_TETRA, p, { { 0, 1, 0 }, { 1, 1, 0 }, { 0, 0, 1 }, { 0, 1, 1 } });
   }
 
-  Shape TheShape;
+  Shape shape_;
   int N;
   std::vector<int> Numbers;
   ShapeLattice Lattice;

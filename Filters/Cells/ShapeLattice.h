@@ -33,7 +33,7 @@ struct ShapeLattice
   }
 };
 
-inline constexpr int kMostSubdivisions = 5;
+inline constexpr int kMaxSubdivisions = 5;
 
 /// Something of each shape and level, made when it is first asked for.
 template <class Thing>
@@ -54,10 +54,10 @@ private:
     std::once_flag once;
     Thing thing;
   };
-  std::array<std::array<Entry, kMostSubdivisions + 1>, kShapeCount> Entries;
+  std::array<std::array<Entry, kMaxSubdivisions + 1>, kShapeCount> Entries;
 };
 
-/// Edges in 2^level parts, 0 to kMostSubdivisions.
+/// Edges in 2^level parts, 0 to kMaxSubdivisions.
 [[nodiscard]] const ShapeLattice& LatticeOf(Shape shape, int level);
 
 /// The place, or with a field its values, at points of an element: `components` numbers each.

@@ -25,8 +25,8 @@ struct SubdivisionLevels
 
 /// The lowest level, at most `most`, at which linear cells are off by no more than `tolerance`: in
 /// place, over the diagonal of the mesh's box, and in the values of `fields`, over their ranges at
-/// nodes of level 1. Judged at the middles of edges and of cells (of pyramids, of their bases): by
-/// samples, which prove nothing.
+/// nodes of level 1. Classified at the middles of edges and of cells (of pyramids, of their bases):
+/// by samples, which prove nothing.
 [[nodiscard]] SubdivisionLevels AdaptedLevels(const HighOrderModel& model,
   const std::vector<const Field*>& fields, double tolerance, int most,
   const StepProgress& progress);

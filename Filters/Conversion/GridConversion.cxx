@@ -184,7 +184,7 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
 }
 
 /// Of a field's range.
-constexpr double kMostRationalLoss = 1e-9;
+constexpr double kMaxRationalLoss = 1e-9;
 
 std::string InFewDigits(double number)
 {
@@ -232,7 +232,7 @@ void DescribeRationalField(
     range = std::max(range, ends[1] - ends[0]);
   }
   const std::string name = std::string("field '") + values->GetName() + "'";
-  if (loss > kMostRationalLoss * range)
+  if (loss > kMaxRationalLoss * range)
   {
     throw Unsupported(name + " loses " + InFewDigits(loss) +
       " where polynomials stand for the cells' rational functions; divide the cells, or refit them "

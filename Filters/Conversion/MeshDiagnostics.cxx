@@ -336,9 +336,9 @@ void DiagnoseWarpedNodes(const SourceMesh& mesh, std::vector<std::string>& lines
         const double* x = &xyz[3 * static_cast<std::size_t>(points[node])];
         nodes.emplace_back(x[0], x[1], x[2]);
       }
-      if (const auto judged = ClassifyEdge(modes, nodes, taken, mesh.CoordinateRoundoff()))
+      if (const auto classified = ClassifyEdge(modes, nodes, taken, mesh.CoordinateRoundoff()))
       {
-        ++found[*judged];
+        ++found[*classified];
       }
     }
   }

@@ -119,7 +119,7 @@ CutTriangles PlaneGrid(
   return cut;
 }
 
-constexpr int kHalvings = 16;
+constexpr int kSubdivisions = 16;
 
 /// From a point inside to one that is not.
 using Edge = std::pair<std::int64_t, std::int64_t>;
@@ -138,7 +138,7 @@ public:
   ClippedCut Clip(const Locator& locator)
   {
     FindPoints();
-    Halve(locator);
+    Subdivide(locator);
     const auto first = static_cast<std::int64_t>(Result.kept.size());
     for (auto& triangle : Result.triangles)
     {
@@ -231,7 +231,7 @@ private:
     }
   }
 
-  void Halve(const Locator& locator)
+  void Subdivide(const Locator& locator)
   {
     std::vector<double> reached(Edges.size(), 0.0);
     std::vector<Vec3> points(Edges.size());
@@ -241,7 +241,7 @@ private:
       Result.rim.push_back(Whole.points[static_cast<std::size_t>(edge.first)]);
     }
     double step = 1.0;
-    for (int i = 0; i < kHalvings && !Edges.empty(); ++i)
+    for (int i = 0; i < kSubdivisions && !Edges.empty(); ++i)
     {
       step /= 2.0;
       Advance(reached, step, points);
@@ -272,14 +272,14 @@ private:
 std::int64_t BringOntoSurface(
   const CutFunction& cut, std::span<const double> reach, std::span<Vec3> x)
 {
-  constexpr int kMostSteps = 50;
+  constexpr int kMaxSteps = 50;
   std::int64_t off = 0;
   std::vector<std::size_t> moving(x.size());
   std::iota(moving.begin(), moving.end(), std::size_t{ 0 });
   std::vector<Vec3> at(x.begin(), x.end());
   std::vector<double> values(x.size());
   std::vector<Vec3> gradients(x.size());
-  for (int i = 0; i < kMostSteps && !moving.empty(); ++i)
+  for (int i = 0; i < kMaxSteps && !moving.empty(); ++i)
   {
     cut.Values(at, values);
     cut.Gradients(at, gradients);
@@ -297,7 +297,7 @@ std::int64_t BringOntoSurface(
       }
       // Rounding of far coordinates lets steps become no smaller than this.
       else if (arrived || glm::length(step) <= 4e-16 * Longest(glm::abs(then)) ||
-        i + 1 == kMostSteps)
+        i + 1 == kMaxSteps)
       {
         start = then;
       }

@@ -22,7 +22,7 @@ namespace pixelexact
 namespace
 {
 /// Cubes along the longest side at the beginning.
-constexpr int kMostAtOnce = 64;
+constexpr int kMaxAtOnce = 64;
 /// Cubes whose corners are asked for together, of functions that are asked by one thread and take
 /// time to begin; and of others.
 constexpr std::size_t kCubesAtOnce = 2048;
@@ -65,10 +65,10 @@ public:
     : Cut(cut)
   {
     int coarse = resolution;
-    while (coarse > kMostAtOnce)
+    while (coarse > kMaxAtOnce)
     {
       coarse = (coarse + 1) / 2;
-      ++Halvings;
+      ++Subdivisions;
     }
     const Vec3 sides = box.upper - box.lower;
     const double side = std::max({ sides.x, sides.y, sides.z }) / coarse;
@@ -77,7 +77,7 @@ public:
     for (int d = 0; d < 3; ++d)
     {
       n[d] = std::max(1, static_cast<int>(std::ceil(sides[d] / side - 1e-9)));
-      Nodes[d] = (std::int64_t{ n[d] } << Halvings) + 1;
+      Nodes[d] = (std::int64_t{ n[d] } << Subdivisions) + 1;
     }
     for (int k = 0; k < n[2]; ++k)
     {
@@ -102,12 +102,12 @@ public:
   CutTriangles March(double bytesPerPoint, const StepProgress& progress)
   {
     CutTriangles result;
-    for (int h = 0; h <= Halvings; ++h)
+    for (int h = 0; h <= Subdivisions; ++h)
     {
       const StepProgress part = [&](double done)
-      { return !progress || progress((h + done) / (Halvings + 2)); };
+      { return !progress || progress((h + done) / (Subdivisions + 2)); };
       // A surface crosses some 4 cubes of each 4 times as many.
-      const double later = std::pow(4.0, Halvings - h);
+      const double later = std::pow(4.0, Subdivisions - h);
       if (!Keep(part))
       {
         result.aborted = true;
@@ -117,9 +117,9 @@ public:
       RequireMemory(cubes * (sizeof(Place) + sizeof(Triangle) + bytesPerPoint),
         Counted(static_cast<std::int64_t>(cubes), "cube") + " about the surface",
         "lower the resolution");
-      if (h < Halvings)
+      if (h < Subdivisions)
       {
-        Halve();
+        Subdivide();
       }
     }
     Fill(result, progress);
@@ -192,19 +192,19 @@ private:
     return true;
   }
 
-  void Halve()
+  void Subdivide()
   {
-    std::vector<Place> halves;
-    halves.reserve(8 * Active.size());
+    std::vector<Place> children;
+    children.reserve(8 * Active.size());
     for (const Place& p : Active)
     {
       for (const auto& corner : kCorners)
       {
-        halves.push_back(
+        children.push_back(
           { { 2 * p.x[0] + corner[0], 2 * p.x[1] + corner[1], 2 * p.x[2] + corner[2] } });
       }
     }
-    Active = std::move(halves);
+    Active = std::move(children);
     Cells.side /= 2.0;
   }
 
@@ -271,7 +271,7 @@ private:
   {
     std::vector<std::uint8_t> cases(Active.size());
     const StepProgress part = [&](double done)
-    { return !progress || progress((Halvings + 1 + done) / (Halvings + 2)); };
+    { return !progress || progress((Subdivisions + 1 + done) / (Subdivisions + 2)); };
     result.aborted = !ForAll(Active.size(), part,
       [&](std::size_t begin, std::size_t end)
       { CasesOf(Part(Active, begin, end), Part(cases, begin, end)); });
@@ -314,7 +314,7 @@ private:
 
   const CutFunction& Cut;
   Grid Cells;
-  int Halvings = 0;
+  int Subdivisions = 0;
   std::int64_t Nodes[3] = { 0, 0, 0 }; ///< of the smallest cubes
   std::vector<Place> Active;
   bool IsQuadric = false;

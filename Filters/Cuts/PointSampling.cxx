@@ -69,7 +69,7 @@ PointSampling::PointSampling(
   , Points(std::move(points))
   , Element(Points.size())
   , Xi(Points.size())
-  , TheVerdicts(Points.size())
+  , verdicts_(Points.size())
   , Residual(Points.size())
 {
   // Points share work where they are near each other, as a data set's are in its own order.
@@ -80,7 +80,7 @@ PointSampling::PointSampling(
     SampleTarget target;
     target.element = std::span(Element).subspan(begin, count);
     target.xi = std::span(Xi).subspan(begin, count);
-    target.verdict = std::span(TheVerdicts).subspan(begin, count);
+    target.verdict = std::span(verdicts_).subspan(begin, count);
     target.residual = std::span(Residual).subspan(begin, count);
     Sample(model.GetLocator(), nullptr, std::span(Points).subspan(begin, count), target);
     if (progress &&
@@ -93,7 +93,7 @@ PointSampling::PointSampling(
 
   for (int i = 0; i < static_cast<int>(Points.size()); ++i)
   {
-    if (TheVerdicts[i] == Verdict::Inside)
+    if (verdicts_[i] == Verdict::Inside)
     {
       Order.push_back(i);
     }
@@ -272,7 +272,7 @@ void PointSampling::AddLocations(vtkPointData* output) const
     }
     residual->SetValue(i, Residual[i]);
     element->SetValue(i, Element[i] < 0 ? -1 : source[Element[i]]);
-    verdict->SetValue(i, static_cast<unsigned char>(TheVerdicts[i]));
+    verdict->SetValue(i, static_cast<unsigned char>(verdicts_[i]));
   }
   Put(output, xi);
   Put(output, element);

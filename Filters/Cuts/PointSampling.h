@@ -55,7 +55,7 @@ public:
   /// several, 3 undecided; see Owners.h).
   void AddOwners(vtkPointData* output) const;
 
-  [[nodiscard]] std::span<const Verdict> Verdicts() const { return TheVerdicts; }
+  [[nodiscard]] std::span<const Verdict> Verdicts() const { return verdicts_; }
 
 private:
   /// work(run) for the runs of points in an element; only the calling thread tells of progress.
@@ -71,7 +71,7 @@ private:
   std::vector<Vec3> Points;
   std::vector<std::int32_t> Element;
   std::vector<Vec3> Xi;
-  std::vector<Verdict> TheVerdicts;
+  std::vector<Verdict> verdicts_;
   std::vector<double> Residual;
   std::vector<int> Order;  ///< points inside, sorted by element
   std::vector<int> Starts; ///< of the elements' runs in Order, and the end

@@ -23,7 +23,7 @@ namespace
 constexpr std::uintmax_t kLargestExpansion = 200;
 constexpr std::size_t kBlock = std::size_t{ 1 } << 20U;
 /// Less is not worth a mapping.
-constexpr off_t kLeastMapped = off_t{ 1 } << 23U;
+constexpr off_t kMinMapped = off_t{ 1 } << 23U;
 
 bool IsGzip(int file)
 {
@@ -141,7 +141,7 @@ FileText::FileText(const std::string& path)
   {
   };
   if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
-    status.st_size >= kLeastMapped && !IsGzip(file))
+    status.st_size >= kMinMapped && !IsGzip(file))
   {
     const auto size = static_cast<std::size_t>(status.st_size);
     void* begin = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE, file, 0);

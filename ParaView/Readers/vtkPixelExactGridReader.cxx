@@ -88,11 +88,11 @@ private:
 /// The files that a .pvtu or .pvd names, of which the first ones are enough.
 std::vector<std::filesystem::path> PartsIn(const std::filesystem::path& file)
 {
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMax = 8;
   const std::string text = pixelexact::ReadFileHead(file, kHead);
   const std::string word = pixelexact::LowerSuffix(file) == ".pvd" ? "file=" : "Source=";
   std::vector<std::filesystem::path> parts;
-  for (std::size_t at = text.find(word); at != std::string::npos && parts.size() < kMost;
+  for (std::size_t at = text.find(word); at != std::string::npos && parts.size() < kMax;
        at = text.find(word, at + 1))
   {
     const std::size_t begin = at + word.size();

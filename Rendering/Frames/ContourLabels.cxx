@@ -69,10 +69,10 @@ void OpenGap(Frame& frame, const ContourLabel& label, const std::vector<std::uin
 
 std::vector<std::string> LabelTexts(const std::vector<double>& values)
 {
-  constexpr int kMostDigits = 17;
+  constexpr int kMaxDigits = 17;
   const std::set<double> different(values.begin(), values.end());
   std::vector<std::string> texts;
-  for (int digits = 3; digits <= kMostDigits; ++digits)
+  for (int digits = 3; digits <= kMaxDigits; ++digits)
   {
     texts.clear();
     std::ranges::transform(values, std::back_inserter(texts),

@@ -19,7 +19,7 @@ struct LabelFont
 {
   static constexpr int kSmallest = 6;
   static constexpr int kLargest = 72;
-  static constexpr int kUsual = 12;
+  static constexpr int kDefault = 12;
 };
 
 /// Throws Error for a size out of LabelFont's limits.

@@ -149,16 +149,16 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
     if (Model.Builds() != builds)
     {
       HasGhosts = pixelexact::HasGhosts(*model);
-      TheRanges = std::make_shared<FieldRanges>();
+      ranges_ = std::make_shared<FieldRanges>();
     }
     Views.DropOthers(model.get());
-    TheSurfaces.DropOthers(model);
+    surfaces_.DropOthers(model);
     return model;
   }
   catch (...)
   {
     Views.DropOthers(nullptr);
-    TheSurfaces.DropOthers(nullptr);
+    surfaces_.DropOthers(nullptr);
     throw;
   }
 }

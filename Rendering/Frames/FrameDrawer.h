@@ -36,7 +36,7 @@ public:
   const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
 
   /// The cut-surfaces, for views of that model.
-  SurfaceCache& Surfaces() { return TheSurfaces; }
+  SurfaceCache& Surfaces() { return surfaces_; }
 
   /// Draws a part of a view of the model, seen through the renderer's camera and placed by the
   /// actor. This completes the view: viewport, camera and lights from the renderer, matrix from the
@@ -52,7 +52,7 @@ public:
     const Progress& progress);
 
   /// The ranges of the model's fields.
-  [[nodiscard]] const std::shared_ptr<FieldRanges>& Ranges() const { return TheRanges; }
+  [[nodiscard]] const std::shared_ptr<FieldRanges>& Ranges() const { return ranges_; }
 
   /// There is nothing to be seen in this view.
   void DropFrame(vtkRenderer* renderer, vtkActor* actor);
@@ -81,8 +81,8 @@ private:
 
   GridModel Model;
   bool HasGhosts = false; ///< the model
-  SurfaceCache TheSurfaces;
-  std::shared_ptr<FieldRanges> TheRanges = std::make_shared<FieldRanges>(); ///< of the model
+  SurfaceCache surfaces_;
+  std::shared_ptr<FieldRanges> ranges_ = std::make_shared<FieldRanges>(); ///< of the model
   ViewFrames Views;
 };
 } // namespace pixelexact

@@ -132,11 +132,11 @@ ViewFrame& ViewFrames::Of(vtkRenderer* renderer, vtkActor* actor)
   }
   else
   {
-    if (Views.size() == kMost)
+    if (Views.size() == kMax)
     {
       Views.pop_back();
     }
-    Views.push_front({ renderer, actor, eye, std::make_unique<ViewFrame>(TheCounters) });
+    Views.push_front({ renderer, actor, eye, std::make_unique<ViewFrame>(counters_) });
   }
   return *Views.front().frame;
 }

@@ -64,11 +64,11 @@ private:
 
 /// The frames of a mapper: one for each renderer, actor and eye that it is drawn for, so that none
 /// of them is traced anew because of the others. They go with their renderer and actor, and beyond
-/// kMost the one that was not drawn for longest.
+/// kMax the one that was not drawn for longest.
 class ViewFrames
 {
 public:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
   /// The view that the renderer's camera, which draws one eye at a time, has of the actor now.
   ViewFrame& Of(vtkRenderer* renderer, vtkActor* actor);
@@ -79,7 +79,7 @@ public:
   {
     return Views.empty() ? nullptr : Views.front().frame->model.get();
   }
-  [[nodiscard]] const RenderCounters& Counters() const { return TheCounters; }
+  [[nodiscard]] const RenderCounters& Counters() const { return counters_; }
 
   /// Takes what there is to say of the view's picture now. Gives back what was not to be said of
   /// the picture before, nor of another view's: nobody wants to read a thing in every frame.
@@ -98,7 +98,7 @@ private:
     std::unique_ptr<ViewFrame> frame;
   };
 
-  RenderCounters TheCounters;
+  RenderCounters counters_;
   std::list<View> Views; ///< drawn last, first
 };
 } // namespace pixelexact

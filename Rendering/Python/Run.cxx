@@ -33,7 +33,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 // Often enough for a person, and seldom enough for other threads of the interpreter.
-constexpr auto kBetweenLooks = std::chrono::milliseconds(30);
+constexpr auto kPollInterval = std::chrono::milliseconds(30);
 
 /// Grids keep their models for all who ask, and do not expect several threads at once. Whoever
 /// waits does so without the interpreter's lock, which progress and functions of Python need.
@@ -61,7 +61,7 @@ public:
   bool Look(const double* done)
   {
     const Clock::time_point now = Clock::now();
-    if (Type != nullptr || now - Last < kBetweenLooks)
+    if (Type != nullptr || now - Last < kPollInterval)
     {
       return Type == nullptr;
     }

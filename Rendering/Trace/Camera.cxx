@@ -67,7 +67,7 @@ Camera::Camera(const CameraView& view, int width, int height)
     halfHeight = std::tan(view.viewAngle * std::numbers::pi / 360.0);
     halfHeight /= view.horizontalViewAngle ? aspect : 1.0;
   }
-  auto& [origin, direction] = TheRays;
+  auto& [origin, direction] = rays_;
   const Vec3 u = right * (halfHeight * aspect);
   const Vec3 v = up * halfHeight;
   const Vec3 offset = u * view.windowCenter[0] + v * view.windowCenter[1];
@@ -94,7 +94,7 @@ Camera::Camera(const std::array<double, 16>& inverseProjection, int width, int h
   {
     Require(std::isfinite(entry), "the projection matrix is singular or not finite.");
   }
-  auto& [origin, direction] = TheRays;
+  auto& [origin, direction] = rays_;
   const Vec3 depth = column(2);
   const double depthW = m[14];
   // All rays meet in the image of the direction (0, 0, 1, 0): the eye, or a point at infinity.
@@ -119,13 +119,13 @@ Ray Camera::At(double px, double py) const
 {
   const double u = U(px);
   const double v = V(py);
-  const auto& [origin, direction] = TheRays;
+  const auto& [origin, direction] = rays_;
   const Vec3 to = direction.constant + direction.u * u + direction.v * v;
   return { origin.constant + origin.u * u + origin.v * v, to * (1.0 / glm::length(to)) };
 }
 
 Vec3 Camera::ViewDirection() const
 {
-  return TheRays.direction.constant / glm::length(TheRays.direction.constant);
+  return rays_.direction.constant / glm::length(rays_.direction.constant);
 }
 } // namespace pixelexact

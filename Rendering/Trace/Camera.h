@@ -70,10 +70,10 @@ public:
   /// Normalised device coordinates of an image position.
   [[nodiscard]] double U(double px) const { return 2.0 * px / ImageWidth - 1.0; }
   [[nodiscard]] double V(double py) const { return 2.0 * py / ImageHeight - 1.0; }
-  [[nodiscard]] const CameraRays& Rays() const { return TheRays; }
+  [[nodiscard]] const CameraRays& Rays() const { return rays_; }
 
 private:
-  CameraRays TheRays;
+  CameraRays rays_;
   int ImageWidth;
   int ImageHeight;
 };

@@ -92,7 +92,7 @@ void RequireTraceable(const Scene& scene, const SampleNeeds& needs)
   {
     throw Error("scene: no data set to render; set one.");
   }
-  if (scene.layers.empty() || scene.layers.size() > Scene::kMostLayers)
+  if (scene.layers.empty() || scene.layers.size() > Scene::kMaxLayers)
   {
     throw Error(scene.layers.empty() ? "scene: no cut-surface to render; add at least one."
                                      : "scene: more than 255 layers; leave some out.");

@@ -42,15 +42,15 @@ bool AllDone(const TilesDone& tiles)
 
 ProgressiveFrame::ProgressiveFrame(
   Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra, Buffer corners, Frame spare)
-  : TheScene(std::move(scene))
-  , TheCamera(camera)
-  , ThePipeline(std::move(pipeline))
-  , Needs(ThePipeline.Needs())
+  : scene_(std::move(scene))
+  , camera_(camera)
+  , pipeline_(std::move(pipeline))
+  , Needs(pipeline_.Needs())
   , Corners(corners)
   , Spare(std::move(spare))
 {
   Needs.centres = Needs.centres | extra;
-  RequireTraceable(TheScene, Needs);
+  RequireTraceable(scene_, Needs);
 }
 
 Frame ProgressiveFrame::FrameOf(int step)
@@ -59,8 +59,8 @@ Frame ProgressiveFrame::FrameOf(int step)
   frame.counters = {};
   frame.corners = {};
   frame.color.clear();
-  frame.width = (TheCamera.Width() + step - 1) / step;
-  frame.height = (TheCamera.Height() + step - 1) / step;
+  frame.width = (camera_.Width() + step - 1) / step;
+  frame.height = (camera_.Height() + step - 1) / step;
   frame.centres.Allocate(Needs.centres, frame.width, frame.height);
   return frame;
 }
@@ -83,7 +83,7 @@ bool ProgressiveFrame::Refine(const Progress& progress, Deadline end)
       (Left != Stage::Corners || MakeCorners(progress, end)) &&
       (Left != Stage::Modules || RunModules(progress, end));
   }
-  TheFrame.counters.seconds = Coarse.counters.seconds = Spent;
+  frame_.counters.seconds = Coarse.counters.seconds = Spent;
   return done;
 }
 
@@ -103,23 +103,23 @@ bool ProgressiveFrame::Complete(const Progress& progress)
 bool ProgressiveFrame::AtOnce(const Progress& progress)
 {
   bool aborted = false;
-  TheFrame = Trace(
-    TheScene, TheCamera, ThePipeline, { .centres = Needs.centres, .corners = Corners },
+  frame_ = Trace(
+    scene_, camera_, pipeline_, { .centres = Needs.centres, .corners = Corners },
     [&](double done)
     {
       aborted = progress && !progress(done);
       return !aborted;
     },
     nullptr, std::move(Spare));
-  Spent += TheFrame.counters.seconds;
-  TheFrame.counters.seconds = Spent;
+  Spent += frame_.counters.seconds;
+  frame_.counters.seconds = Spent;
   if (aborted)
   {
     // Those of some tiles.
-    TheFrame.corners = {};
-    TheFrame.color.clear();
-    TheFrame.centres.color.clear();
-    for (SampleBuffers& sheet : TheFrame.centres.behind)
+    frame_.corners = {};
+    frame_.color.clear();
+    frame_.centres.color.clear();
+    for (SampleBuffers& sheet : frame_.centres.behind)
     {
       sheet.color.clear();
     }
@@ -132,9 +132,9 @@ bool ProgressiveFrame::AtOnce(const Progress& progress)
 
 bool ProgressiveFrame::Pass(const Progress& progress, Deadline end)
 {
-  Frame& frame = Next == 1 ? TheFrame : Pending;
+  Frame& frame = Next == 1 ? frame_ : Pending;
   const SampleLattice lattice = LatticeOf(Next);
-  const int tiles = TilesOf(lattice, TheCamera.Width(), TheCamera.Height());
+  const int tiles = TilesOf(lattice, camera_.Width(), camera_.Height());
   if (Done.empty())
   {
     frame = FrameOf(Next);
@@ -144,8 +144,7 @@ bool ProgressiveFrame::Pass(const Progress& progress, Deadline end)
   Reporter reporter(progress, tiles, end);
   Sheets sheets(frame.centres, Needs.centres);
   AddCounters(
-    TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr, { .done = &Done }),
-    Counted);
+    TraceLattice(scene_, camera_, lattice, sheets, reporter, nullptr, { .done = &Done }), Counted);
   if (!AllDone(Done))
   {
     return false;
@@ -177,7 +176,7 @@ void ProgressiveFrame::Fill()
     Reporter reporter(none, 1);
     Sheets sheets(Coarse.centres, Needs.centres);
     Coarse.counters =
-      TraceLattice(TheScene, TheCamera, LatticeOf(kCoarsest), sheets, reporter, nullptr);
+      TraceLattice(scene_, camera_, LatticeOf(kCoarsest), sheets, reporter, nullptr);
   }
   Coarse.counters.seconds = Spent;
   Known = kCoarsest;
@@ -197,19 +196,19 @@ void ProgressiveFrame::BeginStage(Stage stage)
 
 bool ProgressiveFrame::MakeCorners(const Progress& progress, Deadline end)
 {
-  if (Corners != Buffer::None && !(Done.empty() && TheFrame.corners.Holds(Corners)))
+  if (Corners != Buffer::None && !(Done.empty() && frame_.corners.Holds(Corners)))
   {
-    const int tiles = TilesOf(kCorners, TheFrame.width + 1, TheFrame.height + 1);
+    const int tiles = TilesOf(kCorners, frame_.width + 1, frame_.height + 1);
     if (Done.empty())
     {
       Done.assign(static_cast<std::size_t>(tiles), 0);
-      TheFrame.corners.Allocate(Corners, TheFrame.width + 1, TheFrame.height + 1);
+      frame_.corners.Allocate(Corners, frame_.width + 1, frame_.height + 1);
     }
     Reporter reporter(progress, tiles, end);
-    Sheets sheets(TheFrame.corners, Corners);
+    Sheets sheets(frame_.corners, Corners);
     AddSamples(
-      TraceLattice(TheScene, TheCamera, kCorners, sheets, reporter, nullptr, { .done = &Done }),
-      TheFrame.counters);
+      TraceLattice(scene_, camera_, kCorners, sheets, reporter, nullptr, { .done = &Done }),
+      frame_.counters);
     if (!AllDone(Done))
     {
       return false;
@@ -221,20 +220,19 @@ bool ProgressiveFrame::MakeCorners(const Progress& progress, Deadline end)
 
 bool ProgressiveFrame::RunModules(const Progress& progress, Deadline end)
 {
-  const int tiles = TilesOf(LatticeOf(1), TheFrame.width, TheFrame.height);
-  while (Run < ThePipeline.Runs().size())
+  const int tiles = TilesOf(LatticeOf(1), frame_.width, frame_.height);
+  while (Run < pipeline_.Runs().size())
   {
     if (Done.empty())
     {
       if (Run == 0)
       {
-        BeginPipeline(ThePipeline, TheFrame);
+        BeginPipeline(pipeline_, frame_);
       }
       Done.assign(static_cast<std::size_t>(tiles), 0);
     }
     Reporter reporter(progress, tiles, end);
-    AddSamples(
-      RunPipelinePart(TheScene, TheCamera, ThePipeline, Run, TheFrame, reporter, Done), Counted);
+    AddSamples(RunPipelinePart(scene_, camera_, pipeline_, Run, frame_, reporter, Done), Counted);
     if (!AllDone(Done))
     {
       return false;
@@ -242,14 +240,14 @@ bool ProgressiveFrame::RunModules(const Progress& progress, Deadline end)
     Done.clear();
     ++Run;
   }
-  AddSamples(Counted, TheFrame.counters);
+  AddSamples(Counted, frame_.counters);
   BeginStage(Stage::Nothing);
   return true;
 }
 
 void ProgressiveFrame::Recolor(Pipeline pipeline, Buffer corners)
 {
-  ThePipeline = std::move(pipeline);
+  pipeline_ = std::move(pipeline);
   Corners = corners;
   if (Left == Stage::Centres)
   {
@@ -257,7 +255,7 @@ void ProgressiveFrame::Recolor(Pipeline pipeline, Buffer corners)
   }
   if (Left == Stage::Corners && !Done.empty())
   {
-    TheFrame.corners = {};
+    frame_.corners = {};
   }
   BeginStage(Stage::Corners);
 }
@@ -271,10 +269,10 @@ double ProgressiveFrame::PartDone() const
 
 Frame ProgressiveFrame::Preview() const
 {
-  Frame frame = Known > 1 ? Coarse : TheFrame;
+  Frame frame = Known > 1 ? Coarse : frame_;
   // That which modules have made so far is of some tiles.
   frame.color.clear();
-  Repaint({ .colors = ThePipeline.colors, .modules = {} }, frame);
+  Repaint({ .colors = pipeline_.colors, .modules = {} }, frame);
   return frame;
 }
 } // namespace pixelexact

@@ -49,7 +49,7 @@ public:
   /// Of the complete frame.
   [[nodiscard]] double Pixels() const
   {
-    return static_cast<double>(TheCamera.Width()) * static_cast<double>(TheCamera.Height());
+    return static_cast<double>(camera_.Width()) * static_cast<double>(camera_.Height());
   }
   /// Pixels between the samples that are known; 0: none are, 1: all are.
   [[nodiscard]] int Step() const { return Known; }
@@ -63,9 +63,9 @@ public:
 
   /// The frame, without colours before all pixels are known. Before that those of some tiles may be
   /// there.
-  [[nodiscard]] const Frame& Get() const { return TheFrame; }
+  [[nodiscard]] const Frame& Get() const { return frame_; }
   /// Takes the frame away.
-  [[nodiscard]] Frame Take() { return std::move(TheFrame); }
+  [[nodiscard]] Frame Take() { return std::move(frame_); }
 
   /// What is known, in colours, without the pipeline's modules: a frame of every Step()-th pixel of
   /// every Step()-th row, from the lower left one on. Where no pass is done, Get() with the colours
@@ -89,13 +89,13 @@ private:
   /// An empty frame of pixels `step` apart.
   [[nodiscard]] Frame FrameOf(int step);
 
-  Scene TheScene;
-  Camera TheCamera;
-  Pipeline ThePipeline;
+  Scene scene_;
+  Camera camera_;
+  Pipeline pipeline_;
   SampleNeeds Needs;
   Buffer Corners; ///< that the frame keeps
   Frame Spare;    ///< for the frame of all pixels
-  Frame TheFrame;
+  Frame frame_;
   Frame Coarse;                ///< of Known, where that is more than 1
   Frame Pending;               ///< of a coarse pass that was begun
   Stage Left = Stage::Centres; ///< the first thing that is not done

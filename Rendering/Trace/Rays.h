@@ -19,7 +19,7 @@ inline constexpr double kFarthest = std::numeric_limits<double>::max();
 inline constexpr std::int64_t kRayWork = 12'000'000;
 /// The least work of a ray in a picture, and what all rays of a picture may spend together as long
 /// as each has this least.
-inline constexpr std::int64_t kLeastRayWork = 400'000;
+inline constexpr std::int64_t kMinRayWork = 400'000;
 inline constexpr std::int64_t kFrameWork = 40'000'000'000;
 
 /// The share of each ray in the work of a picture. It depends on the picture's size and on the
@@ -29,7 +29,7 @@ inline constexpr std::int64_t kFrameWork = 40'000'000'000;
 {
   const std::int64_t rays = std::max<std::int64_t>(std::int64_t{ width } * height, 1) *
     static_cast<std::int64_t>(std::max<std::size_t>(surfaces, 1));
-  return std::clamp(kFrameWork / rays, kLeastRayWork, kRayWork);
+  return std::clamp(kFrameWork / rays, kMinRayWork, kRayWork);
 }
 
 /// Rays x(t) = origin + t direction with tNear <= t <= tFar, coordinate by coordinate; every array

@@ -4,7 +4,7 @@
 namespace pixelexact
 {
 Reporter::Reporter(const Progress& progress, int total, Deadline end)
-  : TheProgress(progress)
+  : progress_(progress)
   , Total(total)
   , End(end)
   , Caller(std::this_thread::get_id())
@@ -28,8 +28,8 @@ void Reporter::TileDone()
 {
   const int done = ++Done;
   // VTK's progress may be reported from the calling thread only.
-  if (TheProgress && std::this_thread::get_id() == Caller &&
-    !TheProgress(static_cast<double>(done) / Total))
+  if (progress_ && std::this_thread::get_id() == Caller &&
+    !progress_(static_cast<double>(done) / Total))
   {
     Aborted = true;
   }

@@ -30,7 +30,7 @@ public:
   void TileDone();
 
 private:
-  const Progress& TheProgress;
+  const Progress& progress_;
   int Total;
   Deadline End;
   std::thread::id Caller;

@@ -39,7 +39,7 @@ using KeptHalfSpace = std::array<double, 4>;
 /// What is rendered. Locator and fields must outlive the scene.
 struct Scene
 {
-  static constexpr std::size_t kMostLayers = 255;
+  static constexpr std::size_t kMaxLayers = 255;
 
   const Locator* locator = nullptr;
   std::vector<Layer> layers;

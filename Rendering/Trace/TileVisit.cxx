@@ -88,28 +88,28 @@ void TileVisit::Run(std::span<FrameModule* const> modules)
 
 void TileVisit::MakeImage()
 {
-  if (ThePipeline.colors.empty())
+  if (pipeline_.colors.empty())
   {
     return;
   }
   const StageScope scope(Stage::Modules);
-  const auto width = static_cast<std::size_t>(TheFrame.width);
-  const auto inRow = static_cast<std::size_t>(TheArea.Width());
-  for (int y = TheArea.y0; y < TheArea.y1; ++y)
+  const auto width = static_cast<std::size_t>(frame_.width);
+  const auto inRow = static_cast<std::size_t>(area_.Width());
+  for (int y = area_.y0; y < area_.y1; ++y)
   {
     const std::size_t begin =
-      static_cast<std::size_t>(y) * width + static_cast<std::size_t>(TheArea.x0);
-    ForEachSheet(TheFrame.centres,
+      static_cast<std::size_t>(y) * width + static_cast<std::size_t>(area_.x0);
+    ForEachSheet(frame_.centres,
       [&](SampleBuffers& sheet)
       {
-        for (const auto* painter : ThePipeline.colors)
+        for (const auto* painter : pipeline_.colors)
         {
           painter->Paint(sheet, begin, begin + inRow);
         }
       });
-    if (!TheFrame.color.empty())
+    if (!frame_.color.empty())
     {
-      BlendSheets(TheFrame.centres, begin, begin + inRow, &TheFrame.color[4 * begin]);
+      BlendSheets(frame_.centres, begin, begin + inRow, &frame_.color[4 * begin]);
     }
   }
 }
@@ -120,7 +120,7 @@ std::vector<std::uint8_t> TileVisit::Image(SampleBuffers& samples) const
     [&](SampleBuffers& sheet)
     {
       sheet.color.assign(4 * sheet.Size(), 0);
-      for (const auto* painter : ThePipeline.colors)
+      for (const auto* painter : pipeline_.colors)
       {
         painter->Paint(sheet, 0, sheet.Size());
       }
@@ -132,7 +132,7 @@ std::vector<std::uint8_t> TileVisit::Image(SampleBuffers& samples) const
 
 void TileVisit::RequireTracing() const
 {
-  if (TheScene == nullptr || TheCamera == nullptr)
+  if (scene_ == nullptr || camera_ == nullptr)
   {
     throw Error("a module asks for the scene of a frame that only gets other colours; trace it");
   }
@@ -141,13 +141,13 @@ void TileVisit::RequireTracing() const
 const Scene& TileVisit::GetScene() const
 {
   RequireTracing();
-  return *TheScene;
+  return *scene_;
 }
 
 const Camera& TileVisit::GetCamera() const
 {
   RequireTracing();
-  return *TheCamera;
+  return *camera_;
 }
 
 SampleBuffers TileVisit::Trace(std::span<const ImagePosition> positions, Buffer wanted)
@@ -156,15 +156,15 @@ SampleBuffers TileVisit::Trace(std::span<const ImagePosition> positions, Buffer 
   SampleBuffers samples;
   samples.Allocate(wanted | Buffer::Verdict, static_cast<int>(positions.size()), 1);
   const CheckedOut<TileSamples> tile;
-  (*tile).Begin(*TheCamera, positions);
+  (*tile).Begin(*camera_, positions);
   Sheets sheets(samples, wanted | Buffer::Verdict);
-  TraceTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+  TraceTile(*scene_, *camera_, *tile, sheets, Asked);
   return samples;
 }
 
 bool TileVisit::HasCorners() const
 {
-  return TheFrame.corners.Holds(ThePipeline.Needs().corners);
+  return frame_.corners.Holds(pipeline_.Needs().corners);
 }
 
 namespace
@@ -202,32 +202,32 @@ SampleBuffers& TileVisit::Corners()
   {
     return AtCorners;
   }
-  const TileArea lattice{ TheArea.x0, TheArea.y0, TheArea.x1 + 1, TheArea.y1 + 1 };
+  const TileArea lattice{ area_.x0, area_.y0, area_.x1 + 1, area_.y1 + 1 };
   if (HasCorners())
   {
-    CopyPart({ TheFrame.corners }, lattice, AtCorners);
+    CopyPart({ frame_.corners }, lattice, AtCorners);
     return AtCorners;
   }
   RequireTracing();
-  const Buffer wanted = ThePipeline.Needs().corners;
+  const Buffer wanted = pipeline_.Needs().corners;
   AtCorners.Allocate(wanted, lattice.Width(), lattice.Height());
   Sheets sheets(AtCorners, wanted);
   const CheckedOut<TileSamples> tile;
-  (*tile).BeginAlone(*TheCamera, lattice, 0.0);
-  TraceTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+  (*tile).BeginAlone(*camera_, lattice, 0.0);
+  TraceTile(*scene_, *camera_, *tile, sheets, Asked);
   return AtCorners;
 }
 
 std::optional<LatticePart> TileVisit::Centres() const
 {
-  const Buffer wanted = ThePipeline.Needs().welcome;
-  if (TheFrame.centres.Holds(wanted))
+  const Buffer wanted = pipeline_.Needs().welcome;
+  if (frame_.centres.Holds(wanted))
   {
-    return LatticePart{ TheFrame.centres };
+    return LatticePart{ frame_.centres };
   }
   if (Own && Own->Holds(wanted))
   {
-    return LatticePart{ *Own, TheArea.x0, TheArea.y0 };
+    return LatticePart{ *Own, area_.x0, area_.y0 };
   }
   return std::nullopt;
 }
@@ -254,7 +254,7 @@ LatticePart TileVisit::CornersOf(const TileArea& lattice, std::span<const std::u
 {
   if (HasCorners())
   {
-    return { TheFrame.corners };
+    return { frame_.corners };
   }
   RequireTracing();
   std::vector<ImagePosition> positions;
@@ -298,7 +298,7 @@ LatticePart TileVisit::CornersOf(const TileArea& lattice, std::span<const std::u
 
 int TileVisit::SamplesPerEdge() const
 {
-  const SampleNeeds needs = ThePipeline.Needs();
+  const SampleNeeds needs = pipeline_.Needs();
   return needs.edges == Buffer::None ? 0 : (1 << needs.edgeLevel) - 1;
 }
 
@@ -318,9 +318,9 @@ const SampleBuffers& TileVisit::Edges(SampleBuffers& samples, bool across)
   if (samples.Size() == 0 && inEdge > 0)
   {
     std::vector<ImagePosition> positions;
-    for (int y = TheArea.y0; y < TheArea.y1 + (across ? 1 : 0); ++y)
+    for (int y = area_.y0; y < area_.y1 + (across ? 1 : 0); ++y)
     {
-      for (int x = TheArea.x0; x < TheArea.x1 + (across ? 0 : 1); ++x)
+      for (int x = area_.x0; x < area_.x1 + (across ? 0 : 1); ++x)
       {
         for (int k = 1; k <= inEdge; ++k)
         {
@@ -329,7 +329,7 @@ const SampleBuffers& TileVisit::Edges(SampleBuffers& samples, bool across)
         }
       }
     }
-    samples = Trace(positions, ThePipeline.Needs().edges);
+    samples = Trace(positions, pipeline_.Needs().edges);
   }
   return samples;
 }

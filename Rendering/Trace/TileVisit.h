@@ -36,11 +36,11 @@ public:
   /// must outlive it.
   TileVisit(const Scene* scene, const Camera* camera, const Pipeline& pipeline, Frame& frame,
     const TileArea& area, const SampleBuffers* own = nullptr)
-    : TheScene(scene)
-    , TheCamera(camera)
-    , ThePipeline(pipeline)
-    , TheFrame(frame)
-    , TheArea(area)
+    : scene_(scene)
+    , camera_(camera)
+    , pipeline_(pipeline)
+    , frame_(frame)
+    , area_(area)
     , Own(own)
   {
   }
@@ -49,9 +49,9 @@ public:
   void MakeImage();
   void Run(std::span<FrameModule* const> modules);
 
-  [[nodiscard]] const TileArea& Area() const { return TheArea; }
+  [[nodiscard]] const TileArea& Area() const { return area_; }
   /// The frame; of the area's pixels alone.
-  [[nodiscard]] Frame& GetFrame() { return TheFrame; }
+  [[nodiscard]] Frame& GetFrame() { return frame_; }
 
   /// What is traced, and from where. Throw Error where nothing can be traced.
   [[nodiscard]] const Scene& GetScene() const;
@@ -80,7 +80,7 @@ public:
   [[nodiscard]] SampleBuffers Trace(std::span<const ImagePosition> positions, Buffer wanted);
 
   /// The buffers that samples must have for Image.
-  [[nodiscard]] Buffer ColorNeeds() const { return ThePipeline.ColorNeeds(); }
+  [[nodiscard]] Buffer ColorNeeds() const { return pipeline_.ColorNeeds(); }
   /// Colours of samples, the sheets blended: 4 bytes each.
   [[nodiscard]] std::vector<std::uint8_t> Image(SampleBuffers& samples) const;
 
@@ -93,11 +93,11 @@ private:
   [[nodiscard]] bool HasCorners() const;
   const SampleBuffers& Edges(SampleBuffers& samples, bool across);
 
-  const Scene* TheScene;
-  const Camera* TheCamera;
-  const Pipeline& ThePipeline;
-  Frame& TheFrame;
-  TileArea TheArea;
+  const Scene* scene_;
+  const Camera* camera_;
+  const Pipeline& pipeline_;
+  Frame& frame_;
+  TileArea area_;
   const SampleBuffers* Own;
   FrameCounters Asked;
   SampleBuffers AtCorners;

@@ -34,7 +34,7 @@ namespace
 /// Of an image's side, at most.
 constexpr double kFilled = 0.92;
 constexpr int kRounds = 5;
-constexpr int kLooks = 2;
+constexpr int kPasses = 2;
 constexpr double kSmallSide = 100.0;
 
 CameraView FitToPoints(
@@ -117,7 +117,7 @@ CameraView FitView(
   const CameraView& all, int width, int height, bool keepScale, const SeenFrom& seen)
 {
   CameraView view = all;
-  for (int look = 0; look < kLooks; ++look)
+  for (int look = 0; look < kPasses; ++look)
   {
     view = FitToPoints(seen(view), view, width, height, keepScale);
   }

@@ -56,7 +56,7 @@ class EnclosureElement
 public:
   EnclosureElement(const EnclosureCase& c, Random& random)
     : Values(c.components)
-    , TheMapping(c.mapping)
+    , mapping_(c.mapping)
   {
     const auto spaceOf = [&](int order)
     {
@@ -86,11 +86,11 @@ public:
   }
 
   [[nodiscard]] Mesh MeshView() const { return Builder.View(); }
-  [[nodiscard]] Field FieldView() const { return { "u", Values.View(), TheMapping }; }
+  [[nodiscard]] Field FieldView() const { return { "u", Values.View(), mapping_ }; }
 
   MeshBuilder Builder;
   ExpansionBuilder Values;
-  Mapping TheMapping;
+  Mapping mapping_;
 };
 
 /// A world point, its approximate preimage, the true values and their enclosures.

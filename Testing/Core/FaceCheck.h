@@ -105,14 +105,14 @@ class FaceOracle
 {
 public:
   explicit FaceOracle(const Mesh& mesh)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Map(mesh)
   {
   }
 
   [[nodiscard]] bool Holds(int element, const Vec3& xi, const Vec3& x)
   {
-    const Shape shape = TheMesh.ShapeOf(element);
+    const Shape shape = mesh_.ShapeOf(element);
     const Vec3 uncertainty = Uncertainty(element);
     // At a pyramid's apex, where its Jacobian depends on the direction of approach, the tolerance
     // is held against the image of the nearest point of the pyramid: beyond the apex its functions,
@@ -147,7 +147,7 @@ public:
       }
     }
     Side side = Side::Inside;
-    for (const BoundingPlane& face : BoundingPlanesOf(TheMesh.ShapeOf(element)))
+    for (const BoundingPlane& face : BoundingPlanesOf(mesh_.ShapeOf(element)))
     {
       long double distance = face.offset;
       double inDistance = 0.0;
@@ -177,7 +177,7 @@ private:
   [[nodiscard]] bool IsImage(int element, const Vec3& xi, const Vec3& x, const Vec3& error)
   {
     const LongVec3 image = Map(element, ToLong(xi));
-    const double size = TheMesh.size[element];
+    const double size = mesh_.size[element];
     bool close = true;
     for (int d = 0; d < 3; ++d)
     {
@@ -196,10 +196,10 @@ private:
   /// u_j of element-tree.md, in the element's units.
   [[nodiscard]] Vec3 Uncertainty(int element) const
   {
-    const Space& space = TheMesh.map.SpaceOf(element);
-    const double size = TheMesh.size[element];
+    const Space& space = mesh_.map.SpaceOf(element);
+    const double size = mesh_.size[element];
     const double gamma = Gamma(4 * (space.order[0] + space.order[1] + space.order[2]) + 16);
-    const double* coefficient = TheMesh.map.Coefficients(element);
+    const double* coefficient = mesh_.map.Coefficients(element);
     Vec3 u;
     for (int d = 0; d < 3; ++d)
     {
@@ -209,8 +209,8 @@ private:
         { sum += std::fabs(*coefficient++) * ModeBound(space, p, q, r); });
       // The largest |x_d| is no larger.
       const double largest =
-        std::fabs(TheMesh.centre[3 * static_cast<std::size_t>(element) + d]) + sum * size;
-      u[d] = (TheMesh.uncertainty[element] + 4.0 * kUnitRoundoff * largest) / size + gamma * sum;
+        std::fabs(mesh_.centre[3 * static_cast<std::size_t>(element) + d]) + sum * size;
+      u[d] = (mesh_.uncertainty[element] + 4.0 * kUnitRoundoff * largest) / size + gamma * sum;
     }
     return u;
   }
@@ -222,12 +222,12 @@ private:
     Mat3 jacobian;
     for (int j = 0; j < 3; ++j)
     {
-      jacobian[j] = ToDouble(columns[j]) / TheMesh.size[element];
+      jacobian[j] = ToDouble(columns[j]) / mesh_.size[element];
     }
     return jacobian;
   }
 
-  Mesh TheMesh;
+  Mesh mesh_;
   LongMap Map;
 };
 

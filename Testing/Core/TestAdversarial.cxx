@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Elements made to break the proofs of location. What is accepted must be a preimage within the
-// documented bound (kMostMiss), whatever the element; and an answer must not depend on what else
+// documented bound (kMaxMiss), whatever the element; and an answer must not depend on what else
 // was asked.
 #include "LongMap.h"
 
@@ -50,7 +50,7 @@ double Miss(const Locator& locator, LongMap& map, int element, const Vec3& xi, c
   {
     const auto apart = static_cast<double>(std::fabs(image[d] - static_cast<long double>(x[d])));
     // Half of the uncertainty is the evaluation's, here and there.
-    most = std::max(most, apart / (size * (kMostMiss + 1.0) * bounds.uncertainty[d]));
+    most = std::max(most, apart / (size * (kMaxMiss + 1.0) * bounds.uncertainty[d]));
   }
   return most;
 }

@@ -2,7 +2,7 @@
 #include "MeshBuilder.h"
 
 #include "Core/Bernstein/BernsteinForm.h"
-#include "Core/Bernstein/HalvingKernels.h"
+#include "Core/Bernstein/SubdivisionKernels.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(BernsteinForm, SameFunctionAndHull)
   }
 }
 
-TEST(BernsteinForm, HalvesAreTheSameFunction)
+TEST(BernsteinForm, ChildrenAreTheSameFunction)
 {
   Random random(22);
   for (const Space& space : MakeSpaces({ 1, 2, 3, 5, 8 }))
@@ -100,7 +100,7 @@ TEST(BernsteinForm, HalvesAreTheSameFunction)
     {
       std::vector<double> lower = whole;
       std::vector<double> upper(whole.size());
-      Halve(form.Degree(), direction, lower, upper);
+      Subdivide(form.Degree(), direction, lower, upper);
       for (int trial = 0; trial < 5; ++trial)
       {
         const LongVec3 local{ random(), random(), random() };

@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kMost = 10.0 / 3.0;
+constexpr double kMax = 10.0 / 3.0;
 
 using Rows = std::array<std::array<long double, 3>, 3>;
 
@@ -75,7 +75,7 @@ TEST(EdgeArithmetic, SolutionsHoldTheInversesOfAllThatABounds)
       largest = std::max(largest, sum);
     }
     double solution[3][3];
-    if (!edges::BoundSolution(a, kMost, solution))
+    if (!edges::BoundSolution(a, kMax, solution))
     {
       // Row sums below 0.7 are always enough.
       EXPECT_GT(largest, 0.7);
@@ -113,9 +113,9 @@ TEST(EdgeArithmetic, SolutionsAreNotKnownWhereTheSeriesDiverges)
 {
   double solution[3][3];
   const double unit[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
-  EXPECT_FALSE(edges::BoundSolution(unit, kMost, solution));
+  EXPECT_FALSE(edges::BoundSolution(unit, kMax, solution));
   const double twice[3][3] = { { 2.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0 }, { 0.0, 0.0, 2.0 } };
-  EXPECT_FALSE(edges::BoundSolution(twice, kMost, solution));
+  EXPECT_FALSE(edges::BoundSolution(twice, kMax, solution));
   for (const double odd :
     { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
@@ -123,7 +123,7 @@ TEST(EdgeArithmetic, SolutionsAreNotKnownWhereTheSeriesDiverges)
     {
       double a[3][3] = {};
       a[place / 3][place % 3] = odd;
-      EXPECT_FALSE(edges::BoundSolution(a, kMost, solution));
+      EXPECT_FALSE(edges::BoundSolution(a, kMax, solution));
     }
   }
 }

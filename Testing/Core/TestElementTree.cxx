@@ -55,7 +55,7 @@ class Boxes
 {
 public:
   explicit Boxes(const Mesh& mesh, bool injective = false)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Index(mesh)
     , Map(mesh)
     , Injective(injective)
@@ -101,7 +101,7 @@ private:
         const double part = std::clamp(random(-0.3, 1.3), 0.0, 1.0);
         eta[d] = frame.box.lower[d] + part * (frame.box.upper[d] - frame.box.lower[d]);
       }
-      const Vec3 xi = TensorToReference(TheMesh.ShapeOf(0), eta);
+      const Vec3 xi = TensorToReference(mesh_.ShapeOf(0), eta);
       const LongVec3 x = Map(0, ToLong(xi));
       const Vec3 root = frame.Root(ToDouble(x));
       for (int d = 0; d < 3; ++d)
@@ -114,8 +114,8 @@ private:
     }
     const double* const y[3] = { lanes[0], lanes[1], lanes[2] };
     const std::uint64_t all = ~std::uint64_t{ 0 };
-    EXPECT_EQ(GetTreeKernels().judge(frame, y, all).near, all);
-    EXPECT_EQ(GetTreeKernels().judgeWidely(frame, y, all).near, all);
+    EXPECT_EQ(GetTreeKernels().classify(frame, y, all).near, all);
+    EXPECT_EQ(GetTreeKernels().classifyWidely(frame, y, all).near, all);
     if (Injective)
     {
       CheckHeld(frame, random);
@@ -131,7 +131,7 @@ private:
   void CheckInjective(const ElementTree::Node& node, Random& random)
   {
     const EtaBox& box = node.Frame().box;
-    const double reach = ReachOf(TheMesh.map.SpaceOf(0).TensorDegree());
+    const double reach = ReachOf(mesh_.map.SpaceOf(0).TensorDegree());
     const long double step = 1e-7L;
     int positive = 0;
     constexpr int kPoints = 8;
@@ -184,7 +184,7 @@ private:
       eta[d] =
         frame.box.upper[d] + apart < 1.0 ? frame.box.upper[d] + apart : frame.box.lower[d] - apart;
       const bool within = eta[d] >= -1.0 && eta[2] < 0.999;
-      const LongVec3 x = Map(0, ToLong(TensorToReference(TheMesh.ShapeOf(0), eta)));
+      const LongVec3 x = Map(0, ToLong(TensorToReference(mesh_.ShapeOf(0), eta)));
       for (int c = 0; c < 3; ++c)
       {
         lanes[c][k] = within ? static_cast<double>(x[c]) : 1e9;
@@ -192,10 +192,10 @@ private:
     }
     const double* const y[3] = { lanes[0], lanes[1], lanes[2] };
     const std::uint64_t all = ~std::uint64_t{ 0 };
-    EXPECT_EQ(GetTreeKernels().judge(frame, y, all).held, 0U);
+    EXPECT_EQ(GetTreeKernels().classify(frame, y, all).held, 0U);
   }
 
-  Mesh TheMesh;
+  Mesh mesh_;
   ElementIndex Index;
   LongMap Map;
   bool Injective;

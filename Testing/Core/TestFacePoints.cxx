@@ -15,8 +15,8 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kUsualCount = 6000;
-constexpr int kUsualOwners = 1500;
+constexpr int kDefaultCount = 6000;
+constexpr int kDefaultOwners = 1500;
 constexpr int kBatch = 100000;
 
 struct NamedMesh
@@ -115,7 +115,7 @@ class FacePoints : public ::testing::TestWithParam<NamedMesh>
 {
 protected:
   CurvedMesh Made = GetParam().make();
-  Locator TheLocator{ Made.View() };
+  Locator locator_{ Made.View() };
 };
 
 TEST_P(FacePoints, OnSharedFacesEdgesAndVerticesAreFound)
@@ -123,7 +123,7 @@ TEST_P(FacePoints, OnSharedFacesEdgesAndVerticesAreFound)
   const Mesh mesh = Made.View();
   LongMap map(mesh);
   Random random(51);
-  const FaceReport report = CheckMany(TheLocator, FacePointCount(kUsualCount),
+  const FaceReport report = CheckMany(locator_, FacePointCount(kDefaultCount),
     [&]
     {
       const auto element = static_cast<int>(random(0.0, mesh.Elements()));
@@ -138,7 +138,7 @@ TEST_P(FacePoints, JustOutsideOfTheMeshAreNotInAnElementThatDoesNotHoldThem)
 {
   Random random(52);
   const FaceReport report = CheckMany(
-    TheLocator, FacePointCount(kUsualCount), [&] { return JustOutside(random, Made.Placed()); });
+    locator_, FacePointCount(kDefaultCount), [&] { return JustOutside(random, Made.Placed()); });
   report.Print(std::string(GetParam().name) + ", just outside");
   EXPECT_EQ(report.unknown, 0) << report.first;
   EXPECT_EQ(report.wrong, 0) << report.first;
@@ -152,7 +152,7 @@ TEST_P(FacePoints, OnAndBesideSharedFacesTheMeshCoversOnce)
   LongMap map(mesh);
   Random random(54);
   std::vector<Vec3> points;
-  for (int i = 0; i < FacePointCount(kUsualOwners); ++i)
+  for (int i = 0; i < FacePointCount(kDefaultOwners); ++i)
   {
     const auto element = static_cast<int>(random(0.0, mesh.Elements()));
     const Shape shape = mesh.ShapeOf(element);
@@ -167,7 +167,7 @@ TEST_P(FacePoints, OnAndBesideSharedFacesTheMeshCoversOnce)
     points.push_back(ToDouble(map(element, xi)));
   }
   std::vector<Owners> owners(points.size());
-  FindOwners(TheLocator, points, owners);
+  FindOwners(locator_, points, owners);
   std::int64_t counts[4] = {};
   std::string first;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -193,8 +193,8 @@ protected:
         [](const LongVec3& xi, long double* u)
         { u[0] = xi[0] + 0.5L * xi[1] * xi[2] + 0.2L * xi[2] * xi[2] * xi[2]; });
     }
-    TheField = { "u", Values.View() };
-    TheMesh = Elements.View();
+    field_ = { "u", Values.View() };
+    mesh_ = Elements.View();
   }
 
   [[nodiscard]] Vec3 Image(const Vec3& xi, Random& random) const
@@ -241,8 +241,7 @@ protected:
     std::vector<double> gradient(3 * n);
     std::vector<double> lower(n);
     std::vector<double> upper(n);
-    Sample(
-      locator, &TheField, x, { element, xi, verdict, residual, value, gradient, lower, upper });
+    Sample(locator, &field_, x, { element, xi, verdict, residual, value, gradient, lower, upper });
     Answers answers;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -254,8 +253,8 @@ protected:
 
   ExpansionBuilder Values{ 1 };
   MeshBuilder Elements;
-  Field TheField;
-  Mesh TheMesh;
+  Field field_;
+  Mesh mesh_;
 };
 
 /// All preimages.
@@ -410,17 +409,17 @@ TEST_P(History, LeavesNoTraceInSamples)
 {
   const auto ask = [this](const Locator& locator, std::span<const Vec3> x)
   { return Ask(locator, x); };
-  ExpectOneAnswer(TheMesh, Points(48, 1), Points(24, 2), ask);
+  ExpectOneAnswer(mesh_, Points(48, 1), Points(24, 2), ask);
 }
 
 TEST_P(History, LeavesNoTraceInPreimages)
 {
-  ExpectOneAnswer(TheMesh, Points(24, 3), Points(12, 4), AskAll);
+  ExpectOneAnswer(mesh_, Points(24, 3), Points(12, 4), AskAll);
 }
 
 TEST_P(History, LeavesNoTraceInOwners)
 {
-  ExpectOneAnswer(TheMesh, Points(12, 11), Points(6, 12), AskOwners);
+  ExpectOneAnswer(mesh_, Points(12, 11), Points(6, 12), AskOwners);
 }
 
 TEST_P(History, ThreadsLeaveNoTrace)
@@ -435,7 +434,7 @@ TEST_P(History, ThreadsLeaveNoTrace)
     }
     return answers;
   };
-  ExpectOneAnswerOnThreads(TheMesh, Points(8, 5), ask);
+  ExpectOneAnswerOnThreads(mesh_, Points(8, 5), ask);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -154,7 +154,7 @@ TEST(Owners, NoneOutsideOfAFoldedElement)
   }
 }
 
-TEST(Owners, TellGapsOverlapsAndSharedFaces)
+TEST(Owners, ReportGapsOverlapsAndSharedFaces)
 {
   // Three unit cubes in a row: the second is 0.25 into the first, the third 0.25 off the second.
   MeshBuilder mesh;

@@ -152,7 +152,7 @@ TEST(PieceForm, TellsOpenPyramids)
   EXPECT_TRUE(PieceForm::IsClosed(space, modes.data()));
 }
 
-TEST(BoxPolynomial, HalvesAndRestricts)
+TEST(BoxPolynomial, ChildrenAndRestricts)
 {
   Random random(32);
   const Space space = UniformSpace(Shape::Hexahedron, 5);
@@ -174,7 +174,7 @@ TEST(BoxPolynomial, HalvesAndRestricts)
       upper[d] = std::max(a, b);
       part.Restrict(d, lower[d], upper[d]);
     }
-    const BoxPolynomial upperHalf = part.Halve(1);
+    const BoxPolynomial upperHalf = part.Subdivide(1);
     const Vec3 t(random(), random(), random());
     for (const bool isUpper : { false, true })
     {

@@ -2,7 +2,7 @@
 #include "InstructionSets.h"
 
 #include "Core/Bernstein/ExtremeKernels.h"
-#include "Core/Bernstein/HalvingKernels.h"
+#include "Core/Bernstein/SubdivisionKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 
@@ -36,7 +36,7 @@ Numbers Made(const Degrees& degree)
 }
 
 /// De Casteljau's scheme at the middle of each line along a direction.
-std::array<Numbers, 2> Halved(const Degrees& degree, int direction, Numbers b)
+std::array<Numbers, 2> Subdivided(const Degrees& degree, int direction, Numbers b)
 {
   const int n = degree[static_cast<std::size_t>(direction)];
   const std::size_t stride = StrideOf(degree, direction);
@@ -110,20 +110,20 @@ double Difference(const Degrees& degree, int direction, int order, const Numbers
 }
 } // namespace
 
-TEST(SweepKernels, HalveLikeDeCasteljau)
+TEST(SweepKernels, SubdivideLikeDeCasteljau)
 {
   for (const Degrees& degree : kSweepDegrees)
   {
     const Numbers b = Made(degree);
     for (int direction = 0; direction < 3; ++direction)
     {
-      const auto expected = Halved(degree, direction, b);
+      const auto expected = Subdivided(degree, direction, b);
       OnEveryInstructionSet(
         [&]
         {
           Numbers lower = b;
           Numbers upper(b.size());
-          Halve(degree, direction, lower, upper);
+          Subdivide(degree, direction, lower, upper);
           EXPECT_EQ(lower, expected[0]) << degree[0] << degree[1] << degree[2] << direction;
           EXPECT_EQ(upper, expected[1]) << degree[0] << degree[1] << degree[2] << direction;
         });

@@ -107,8 +107,8 @@ TEST(PointBudget, ElementsTogetherTakeNoMoreThanAPointMay)
       EXPECT_TRUE(more == 0 || more > budget.Share()) << elements;
       most += more;
     }
-    EXPECT_LE(most, kMostWork) << elements;
-    EXPECT_GE(most, kMostWork / 2 - elements) << elements;
+    EXPECT_LE(most, kMaxWork) << elements;
+    EXPECT_GE(most, kMaxWork / 2 - elements) << elements;
   }
 }
 } // namespace

@@ -30,12 +30,12 @@ struct CurvedElement
     {
       coefficient = random();
     }
-    TheField = { "u", Values.View() };
+    field_ = { "u", Values.View() };
   }
 
   MeshBuilder Elements;
   ExpansionBuilder Values;
-  Field TheField;
+  Field field_;
 };
 
 std::vector<double> EvaluateField(const Mesh& mesh, const Field& field, const std::vector<Vec3>& xi)
@@ -70,7 +70,7 @@ TEST(Truncation, KeptAndDroppedAddUpAndTheBoundHolds)
       {
         const CurvedElement with(space, components, 7);
         const Mesh mesh = with.Elements.View();
-        const Truncation truncation(with.TheField, order);
+        const Truncation truncation(with.field_, order);
         const Field kept = truncation.Kept();
         const Field dropped = truncation.Dropped();
         ASSERT_NO_THROW(Validate(kept, mesh));
@@ -82,7 +82,7 @@ TEST(Truncation, KeptAndDroppedAddUpAndTheBoundHolds)
         Random random(11);
         std::vector<Vec3> xi(200);
         std::ranges::generate(xi, [&] { return random.Inside(space.shape); });
-        const std::vector<double> all = EvaluateField(mesh, with.TheField, xi);
+        const std::vector<double> all = EvaluateField(mesh, with.field_, xi);
         const std::vector<double> low = EvaluateField(mesh, kept, xi);
         const std::vector<double> high = EvaluateField(mesh, dropped, xi);
         const double bound = LargestChange(mesh, truncation, 0);
@@ -124,7 +124,7 @@ TEST(Truncation, WhatIsKeptIsTheBestOfItsOrder)
     const Space space = UniformSpace(shape, 4);
     const CurvedElement with(space, 1, 3);
     const Mesh mesh = with.Elements.View();
-    const Truncation truncation(with.TheField, 2);
+    const Truncation truncation(with.field_, 2);
     const auto points = GaussPoints(8);
     const LineFunctions lines = Lagrange(points);
     // Weights of Gauss's rule by Lagrange's polynomials, integrated with a rule of enough points.

@@ -101,11 +101,11 @@ TEST(BadInput, WrongNumberOfPoints)
   grid->GetCellData()->SetHigherOrderDegrees(degrees);
   ExpectRefused(grid, { "cell 0", "contradicts", "2, 2, 3" });
 
-  vtkNew<vtkDoubleArray> halves; // cut to integers they would fit
-  halves->SetNumberOfComponents(3);
-  halves->SetName("HigherOrderDegrees");
-  halves->InsertNextTuple3(2.5, 2.5, 2.5);
-  grid->GetCellData()->SetHigherOrderDegrees(halves);
+  vtkNew<vtkDoubleArray> children; // cut to integers they would fit
+  children->SetNumberOfComponents(3);
+  children->SetName("HigherOrderDegrees");
+  children->InsertNextTuple3(2.5, 2.5, 2.5);
+  grid->GetCellData()->SetHigherOrderDegrees(children);
   ExpectRefused(grid, { "cell 0", "HigherOrderDegrees of 2.5" });
 }
 

@@ -14,7 +14,7 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-constexpr int kUsualCount = 1500;
+constexpr int kDefaultCount = 1500;
 
 /// Next to faces: the distances from the face, of the element's size, of three points in a row.
 constexpr double kRow[] = { 0.0, 1e-4, 1e-3 };
@@ -74,7 +74,7 @@ TEST_P(FacePoints, AreFoundAndNoGapIsBesideThem)
   ASSERT_NE(grid, nullptr);
   const auto model = HighOrderModel::From(grid);
   const Locator& locator = model->GetLocator();
-  const PointRows points = MakePoints(model->GetMesh(), FacePointCount(kUsualCount));
+  const PointRows points = MakePoints(model->GetMesh(), FacePointCount(kDefaultCount));
 
   const FaceReport on = CheckPoints(locator, points.on);
   on.Print(file.stem().string() + ", on faces");

@@ -165,7 +165,7 @@ TEST(NativeReaders, RoundTripOfVariableOrder)
   ExpectRoundTrip(VariableOrder());
 }
 
-TEST(NativeReaders, TellTheBasesAndTheGroups)
+TEST(NativeReaders, ReportTheBasesAndTheGroups)
 {
   const auto reader = MakeDarcyReader();
   reader->Update();

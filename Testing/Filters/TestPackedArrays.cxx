@@ -85,7 +85,7 @@ std::string Problem(vtkUnstructuredGrid* grid)
 }
 
 /// Two halves, put together the wrong way round.
-Grid Halved(vtkUnstructuredGrid* grid)
+Grid Subdivided(vtkUnstructuredGrid* grid)
 {
   const vtkIdType half = grid->GetNumberOfCells() / 2;
   vtkNew<vtkAppendFilter> append;
@@ -131,11 +131,12 @@ TEST(PackedArrays, AppendedPartsAreTheWhole)
 {
   for (const Grid& grid : { Escher(), Varying() })
   {
-    const Grid appended = Halved(Packed(grid));
+    const Grid appended = Subdivided(Packed(grid));
     EXPECT_EQ(Problem(appended), "");
     EXPECT_EQ(FactsOf(appended), FactsOf(grid));
     // Without packing the coefficients stay behind.
-    EXPECT_NE(vtkHighOrderGrid::IsHighOrder(Halved(grid)) ? Problem(Halved(grid)) : "lost", "-");
+    EXPECT_NE(
+      vtkHighOrderGrid::IsHighOrder(Subdivided(grid)) ? Problem(Subdivided(grid)) : "lost", "-");
   }
 }
 

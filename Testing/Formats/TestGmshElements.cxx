@@ -18,7 +18,7 @@ namespace
 using gmsh::ElementType;
 using gmsh::FindType;
 
-constexpr int kMostTypes = 150;
+constexpr int kMaxTypes = 150;
 
 SolverModel ReadData(const std::string& name)
 {
@@ -100,7 +100,7 @@ double Apply(const ElementBasis& basis, const std::vector<double>& values, const
 
 TEST(GmshElements, LatticesAreComplete)
 {
-  for (int number = 1; number < kMostTypes; ++number)
+  for (int number = 1; number < kMaxTypes; ++number)
   {
     const ElementType* type = FindType(number);
     if (type == nullptr || type->dimension != 3)
@@ -137,7 +137,7 @@ TEST(GmshElements, EachFaceHasItsNumberInVtk)
 
 TEST(GmshElements, PolynomialsAreExact)
 {
-  for (int number = 1; number < kMostTypes; ++number)
+  for (int number = 1; number < kMaxTypes; ++number)
   {
     const ElementType* type = FindType(number);
     if (type == nullptr || type->dimension != 3 || !type->complete || type->order > 6)

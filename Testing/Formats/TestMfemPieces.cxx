@@ -180,7 +180,7 @@ TEST_F(MfemPieces, EmptyPiecesArePartOfTheWhole)
   EXPECT_EQ(mfem::ReadFiles(mesh, {}).mesh.number.size(), 1U);
 }
 
-TEST_F(MfemPieces, RootFilesTellOfTheirCycle)
+TEST_F(MfemPieces, RootFilesNameTheirCycle)
 {
   const std::string root = Write("run_000002.mfem_root", kRoot);
   Write("run_000002/mesh.000000", MakeSquarePiece(0));

@@ -49,17 +49,17 @@ vtkSmartPointer<vtkUnstructuredGrid> Half(bool right)
 
 /// BoxGrid(2) as two halves, with an empty leaf and a null one between them, whose flat indices are
 /// 2 and 5.
-vtkSmartPointer<vtkMultiBlockDataSet> Halves()
+vtkSmartPointer<vtkMultiBlockDataSet> Children()
 {
   vtkNew<vtkMultiBlockDataSet> inner;
   inner->SetNumberOfBlocks(1);
   inner->SetBlock(0, Half(false));
-  auto halves = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  halves->SetNumberOfBlocks(4);
-  halves->SetBlock(0, inner);
-  halves->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
-  halves->SetBlock(3, Half(true));
-  return halves;
+  auto children = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  children->SetNumberOfBlocks(4);
+  children->SetBlock(0, inner);
+  children->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  children->SetBlock(3, Half(true));
+  return children;
 }
 
 class CompositeInput : public ::testing::Test
@@ -99,9 +99,9 @@ TEST_F(CompositeInput, IsOneSceneOfAllLeaves)
   partitions->SetPartition(1, Half(true));
   vtkNew<vtkPartitionedDataSetCollection> collection;
   collection->SetPartitionedDataSet(0, partitions);
-  const auto halves = Halves();
+  const auto children = Children();
   for (vtkCompositeDataSet* data :
-    std::initializer_list<vtkCompositeDataSet*>{ halves, partitions.Get(), collection.Get() })
+    std::initializer_list<vtkCompositeDataSet*>{ children, partitions.Get(), collection.Get() })
   {
     EXPECT_EQ(ErrorsOf(data), "") << data->GetClassName();
     Window.Render();
@@ -120,7 +120,7 @@ TEST_F(CompositeInput, IsWhatOneGridIsBitForBit)
   const auto whole = BoxGrid(2);
   ASSERT_EQ(ErrorsOf(whole), "");
   const vtkSmartPointer<vtkImageData> expected = Scene.Mapper->GetBuffers();
-  ASSERT_EQ(ErrorsOf(Halves()), "");
+  ASSERT_EQ(ErrorsOf(Children()), "");
   vtkDataArray* block = ArrayOf(Scene.Mapper, "Block");
   ASSERT_NE(block, nullptr);
   EXPECT_EQ(expected->GetPointData()->GetArray("Block"), nullptr);
@@ -154,8 +154,8 @@ TEST_F(CompositeInput, IsWhatOneGridIsBitForBit)
 
 TEST_F(CompositeInput, PicksAndSelectionsNameTheBlock)
 {
-  const auto halves = Halves();
-  ASSERT_EQ(ErrorsOf(halves), "");
+  const auto children = Children();
+  ASSERT_EQ(ErrorsOf(children), "");
   vtkNew<vtkHighOrderPicker> picker;
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(Window.Renderer);
@@ -168,7 +168,7 @@ TEST_F(CompositeInput, PicksAndSelectionsNameTheBlock)
     const bool right = picker->GetPickPosition()[0] > 0.0;
     ++count[right ? 1 : 0];
     EXPECT_EQ(picker->GetFlatBlockIndex(), right ? 5 : 2);
-    EXPECT_EQ(picker->GetCompositeDataSet(), halves);
+    EXPECT_EQ(picker->GetCompositeDataSet(), children);
     auto* grid = vtkUnstructuredGrid::SafeDownCast(picker->GetDataSet());
     ASSERT_NE(grid, nullptr);
     EXPECT_EQ(grid->GetCellData()->GetArray(kElementIds)->GetTuple1(picker->GetCellId()),
@@ -185,8 +185,8 @@ TEST_F(CompositeInput, PicksAndSelectionsNameTheBlock)
 
 TEST_F(CompositeInput, FieldsAreThoseOfAllLeaves)
 {
-  const auto halves = Halves();
-  auto* right = vtkUnstructuredGrid::SafeDownCast(halves->GetBlock(3));
+  const auto children = Children();
+  auto* right = vtkUnstructuredGrid::SafeDownCast(children->GetBlock(3));
   for (int i = right->GetFieldData()->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     const std::string name = right->GetFieldData()->GetAbstractArray(i)->GetName();
@@ -195,9 +195,9 @@ TEST_F(CompositeInput, FieldsAreThoseOfAllLeaves)
       right->GetFieldData()->RemoveArray(name.c_str());
     }
   }
-  EXPECT_EQ(ErrorsOf(halves), "");
+  EXPECT_EQ(ErrorsOf(children), "");
   Scene.Mapper->SetFieldName("v");
-  const std::string text = ErrorsOf(halves);
+  const std::string text = ErrorsOf(children);
   EXPECT_NE(text.find("'v'; choose one of 'u', 'nan'"), std::string::npos) << text;
 }
 
@@ -205,10 +205,10 @@ TEST_F(CompositeInput, WhatIsNoHighOrderGridIsNamed)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->Update();
-  const auto halves = Halves();
-  halves->SetBlock(2, sphere->GetOutput());
-  halves->GetMetaData(2U)->Set(vtkCompositeDataSet::NAME(), "wall");
-  std::string text = ErrorsOf(halves);
+  const auto children = Children();
+  children->SetBlock(2, sphere->GetOutput());
+  children->GetMetaData(2U)->Set(vtkCompositeDataSet::NAME(), "wall");
+  std::string text = ErrorsOf(children);
   EXPECT_NE(text.find("block 4 ('wall') is a vtkPolyData"), std::string::npos) << text;
   EXPECT_NE(text.find("vtkExtractBlock"), std::string::npos) << text;
   // The camera can be placed nevertheless.
@@ -216,8 +216,8 @@ TEST_F(CompositeInput, WhatIsNoHighOrderGridIsNamed)
 
   const auto plain = BoxGrid(1);
   RemoveHighOrderArrays(plain);
-  halves->SetBlock(2, plain);
-  text = ErrorsOf(halves);
+  children->SetBlock(2, plain);
+  text = ErrorsOf(children);
   EXPECT_NE(text.find("block 4 ('wall'): "), std::string::npos) << text;
   EXPECT_NE(text.find("vtkUnstructuredGridToHighOrderGrid"), std::string::npos) << text;
   EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
@@ -231,13 +231,13 @@ TEST_F(CompositeInput, WhatIsNoHighOrderGridIsNamed)
 
 TEST_F(CompositeInput, LeavesThatChangeAreSeen)
 {
-  const auto halves = Halves();
-  ASSERT_EQ(ErrorsOf(halves), "");
+  const auto children = Children();
+  ASSERT_EQ(ErrorsOf(children), "");
   const vtkIdType builds = Scene.Mapper->GetNumberOfModelBuilds();
-  ASSERT_EQ(ErrorsOf(halves), "");
+  ASSERT_EQ(ErrorsOf(children), "");
   EXPECT_EQ(Scene.Mapper->GetNumberOfModelBuilds(), builds);
   // In place: the composite data themselves do not know.
-  auto* right = vtkUnstructuredGrid::SafeDownCast(halves->GetBlock(3));
+  auto* right = vtkUnstructuredGrid::SafeDownCast(children->GetBlock(3));
   vtkDataArray* coefficients = vtkDataArray::SafeDownCast(right->GetFieldData()->GetAbstractArray(
     (std::string(kFieldPrefix) + "u.Coefficients").c_str()));
   for (vtkIdType i = 0; i < coefficients->GetNumberOfTuples(); ++i)
@@ -246,7 +246,7 @@ TEST_F(CompositeInput, LeavesThatChangeAreSeen)
   }
   coefficients->Modified();
   right->Modified();
-  ASSERT_EQ(ErrorsOf(halves), "");
+  ASSERT_EQ(ErrorsOf(children), "");
   EXPECT_EQ(Scene.Mapper->GetNumberOfModelBuilds(), builds + 1);
   vtkDataArray* value = ArrayOf(Scene.Mapper, "Value");
   int zeros = 0;

@@ -410,7 +410,7 @@ TEST_F(ContoursInWindow, LabelsThatAreNotWrittenAreTold)
   EXPECT_TRUE(Contains(Complaint(), "6 to 72")) << Errors->Text;
 }
 
-TEST(ContourLabels, AreShortAndTellValuesApart)
+TEST(ContourLabels, AreShortAndDistinguishValues)
 {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(

@@ -57,7 +57,7 @@ double Condition(const Matrix& inverse, const Matrix& jacobian)
 
 LocationCheck::LocationCheck(const Mesh& mesh, int element, const Box3& box, const Field& field)
   : Elements(mesh)
-  , TheField(field)
+  , field_(field)
   , MapSpace(mesh.map.SpaceOf(element))
   , Element(element)
   , Box(box)
@@ -158,8 +158,8 @@ double LocationCheck::Backward(
 void LocationCheck::MeasureValue(
   const FoundPoint& found, const QuadVec3& xi, PointErrors& errors) const
 {
-  const Space& space = TheField.values.SpaceOf(Element);
-  const double* modes = TheField.values.Coefficients(Element);
+  const Space& space = field_.values.SpaceOf(Element);
+  const double* modes = field_.values.Coefficients(Element);
   const QuadSample sample = Evaluate(space, modes, xi);
   errors.value = static_cast<double>(sample.value);
   errors.valueError = static_cast<double>(Quad(found.value) - sample.value);

@@ -55,7 +55,7 @@ private:
   [[nodiscard]] Triple Uncertainty() const;
 
   const Mesh& Elements;
-  const Field& TheField;
+  const Field& field_;
   const Space& MapSpace;
   int Element;
   Box3 Box;

@@ -47,12 +47,12 @@ public:
     : Subject(subject)
     , Elements(subject.mesh.View())
     , FieldModes(MakeField(subject.shape, Elements.Elements()))
-    , TheField{ "u", FieldModes.View() }
+    , field_{ "u", FieldModes.View() }
     , Finder(Elements)
-    , Check(Elements, subject.element, Finder.Index().ElementBox(subject.element), TheField)
+    , Check(Elements, subject.element, Finder.Index().ElementBox(subject.element), field_)
   {
     Validate(Elements);
-    Validate(TheField, Elements);
+    Validate(field_, Elements);
     result.sweep = subject.sweep;
     result.shape = Name(subject.shape);
     result.order = subject.order;
@@ -139,7 +139,7 @@ private:
     target.verdict = verdict;
     target.residual = residual;
     target.value = value;
-    Sample(Finder, &TheField, x, target);
+    Sample(Finder, &field_, x, target);
     std::vector<FoundPoint> found;
     for (std::size_t i = 0; i < x.size(); ++i)
     {
@@ -193,7 +193,7 @@ private:
   const LocationCase& Subject;
   Mesh Elements;
   ExpansionBuilder FieldModes;
-  Field TheField;
+  Field field_;
   Locator Finder;
   LocationCheck Check;
   Row result;

@@ -131,7 +131,7 @@ class ClosedForm
 {
 public:
   ClosedForm(const Space& space, const Vec3& xi)
-    : TheSpace(space)
+    : space_(space)
     , Eta(ToEta(space.shape, xi))
     , Sums{ JacobiSums(Eta[0]), JacobiSums(Eta[1]), JacobiSums(Eta[2]) }
     , H2(Powers((Big(1.0) - Eta[1]) / Big(2.0), kMaxOrder + 1))
@@ -142,12 +142,12 @@ public:
   Big operator()(int p, int q, int r)
   {
     const int m = std::max(p, q);
-    const bool plain = TheSpace.shape == Shape::Hexahedron || TheSpace.form == Form::Tensor;
+    const bool plain = space_.shape == Shape::Hexahedron || space_.form == Form::Tensor;
     if (plain)
     {
       return Sums[0](0, p) * Sums[1](0, q) * Sums[2](0, r);
     }
-    switch (TheSpace.shape)
+    switch (space_.shape)
     {
       case Shape::Prism:
         return Sums[0](0, p) * Sums[1](0, q) * H3[p] * Sums[2](2 * p + 1, r);
@@ -181,7 +181,7 @@ private:
     }
   }
 
-  Space TheSpace;
+  Space space_;
   std::array<Big, 3> Eta;
   std::array<JacobiSums, 3> Sums;
   std::vector<Big> H2;

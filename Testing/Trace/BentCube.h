@@ -134,15 +134,15 @@ public:
     std::span<const Shape> shapes,
     const Value& value = [](const LongVec3& x, int /*element*/) { return Quadratic(x); })
     : Cube(Blocks(2, shapes))
-    , TheLocator(Cube.View())
+    , locator_(Cube.View())
   {
     Values = FieldOf(value);
-    TheField = { "u", Values.View() };
+    field_ = { "u", Values.View() };
   }
 
   [[nodiscard]] Scene With(std::shared_ptr<const Surface> surface) const
   {
-    return { &TheLocator, { { std::move(surface), &TheField } }, {} };
+    return { &locator_, { { std::move(surface), &field_ } }, {} };
   }
 
   /// Another field on the cube.
@@ -160,9 +160,9 @@ public:
   }
 
   CurvedMesh Cube;
-  Locator TheLocator;
+  Locator locator_;
   ExpansionBuilder Values{ 1 };
-  Field TheField;
+  Field field_;
 };
 
 /// Of what the first hits in the bent cube show.

@@ -37,9 +37,9 @@ public:
         });
     }
     Values.Coefficients[static_cast<std::size_t>(space.Modes())] = std::nan("");
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
-    TheScene.locator = TheLocator.get();
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
+    scene_.locator = locator_.get();
   }
 
   /// Element e's map.
@@ -60,14 +60,14 @@ public:
 
   Scene& WithPlane(const Vec3& origin, const Vec3& normal)
   {
-    TheScene.layers.push_back({ std::make_shared<Plane>(origin, normal), &TheField });
-    return TheScene;
+    scene_.layers.push_back({ std::make_shared<Plane>(origin, normal), &field_ });
+    return scene_;
   }
 
   /// With the field CurvedAt in the other one's place.
   void MakeCurved()
   {
-    TheField = Add(1, [](const LongVec3& x, long double* u) { u[0] = CurvedAt(x); });
+    field_ = Add(1, [](const LongVec3& x, long double* u) { u[0] = CurvedAt(x); });
   }
 
   /// Another field: polynomials of degree 2 at most.
@@ -83,8 +83,8 @@ public:
     return Fields.emplace_back("u", values.View());
   }
 
-  Field TheField;
-  Scene TheScene;
+  Field field_;
+  Scene scene_;
 
 private:
   MeshBuilder Elements;
@@ -92,7 +92,7 @@ private:
   // Do not move: scenes refer to them.
   std::deque<ExpansionBuilder> Others;
   std::deque<Field> Fields;
-  std::unique_ptr<Locator> TheLocator;
+  std::unique_ptr<Locator> locator_;
 };
 
 inline Camera ViewAlongZ(int width, int height, double scale = 1.25)

@@ -27,8 +27,8 @@ class FacePatch
 public:
   /// `cells`: along each parameter, from which Newton's iteration begins where a ray comes near.
   FacePatch(const Mesh& mesh, int element, int face, int cells = 12)
-    : TheFace(FacesOf(mesh.ShapeOf(element))[static_cast<std::size_t>(face)])
-    , TheShape(mesh.ShapeOf(element))
+    : face_(FacesOf(mesh.ShapeOf(element))[static_cast<std::size_t>(face)])
+    , shape_(mesh.ShapeOf(element))
     , Cells(cells)
   {
     const Space& space = mesh.map.SpaceOf(element);
@@ -180,22 +180,22 @@ private:
 
   [[nodiscard]] std::array<int, 2> Free() const
   {
-    return { TheFace.direction == 0 ? 1 : 0, TheFace.direction == 2 ? 1 : 2 };
+    return { face_.direction == 0 ? 1 : 0, face_.direction == 2 ? 1 : 2 };
   }
   [[nodiscard]] QuadVec3 XiQuad(const Quad& u, const Quad& v) const
   {
     QuadVec3 eta;
-    eta[static_cast<std::size_t>(TheFace.direction)] = Quad(TheFace.upper ? 1 : -1);
+    eta[static_cast<std::size_t>(face_.direction)] = Quad(face_.upper ? 1 : -1);
     eta[static_cast<std::size_t>(Free()[0])] = u;
     eta[static_cast<std::size_t>(Free()[1])] = v;
-    return ToXi(TheShape, eta);
+    return ToXi(shape_, eta);
   }
   [[nodiscard]] Vec3 ReferenceToTensorOf(const Vec3& xi) const
   {
     const auto open = [](double x, double narrow)
     { return narrow > 0.0 ? (1.0 + x) / narrow - 1.0 : 0.0; };
     const double narrow = 0.5 * (1.0 - xi.z);
-    switch (TheShape)
+    switch (shape_)
     {
       case Shape::Hexahedron:
         return xi;
@@ -351,8 +351,8 @@ private:
     found.push_back(one);
   }
 
-  pixelexact::ShapeFace TheFace;
-  Shape TheShape;
+  pixelexact::ShapeFace face_;
+  Shape shape_;
   int Cells;
   int Order = 1;
   std::vector<double> Nodes;

@@ -19,17 +19,17 @@ public:
   explicit LayeredScene(bool translucent)
   {
     block.MakeCurved();
-    TheScene.locator = block.TheScene.locator;
+    scene_.locator = block.scene_.locator;
     const auto sphere = std::make_shared<Quadric>(MakeSphere({ 0.2, 0.0, 0.1 }, 0.8));
     const auto plane = std::make_shared<Plane>(Vec3(0.1), Vec3(0.3, 0.4, 1.0));
-    TheScene.layers = { { sphere, &block.TheField, 0, Precision::Double, translucent },
+    scene_.layers = { { sphere, &block.field_, 0, Precision::Double, translucent },
       { plane, &field, 0, Precision::Double, translucent } };
   }
 
   Block block;
   const Field& field =
     block.Add(1, [](const LongVec3& x, long double* u) { u[0] = 2 * x[0] * x[1] - x[2] + 1; });
-  Scene TheScene;
+  Scene scene_;
 };
 
 inline CameraView ObliqueView()

@@ -150,24 +150,24 @@ class RandomRays
 {
 public:
   explicit RandomRays(std::uint64_t seed)
-    : TheRandom(seed)
+    : random_(seed)
   {
   }
 
-  Vec3 Vector(double size) { return size * Vec3(TheRandom(), TheRandom(), TheRandom()); }
+  Vec3 Vector(double size) { return size * Vec3(random_(), random_(), random_()); }
   /// 10^least to 10^most, every decade alike.
-  double Size(double least, double most) { return std::pow(10.0, TheRandom(least, most)); }
+  double Size(double least, double most) { return std::pow(10.0, random_(least, most)); }
 
   /// From anywhere in any direction, or nearly along a plane with that normal.
   Ray Near(const Vec3& through, const Vec3& normal)
   {
     const Vec3 origin = through + Vector(Size(-2.0, 8.0));
     Vec3 along = Vector(1.0);
-    if (TheRandom() < 0.0)
+    if (random_() < 0.0)
     {
       const Vec3 unit = ToDouble(Unit(ToLong(normal)));
       const LongVec3 inPlane = Cross(ToLong(unit), ToLong(along));
-      along = ToDouble(inPlane) + (TheRandom() < 0.0 ? -1.0 : 1.0) * Size(-20.0, 0.0) * unit;
+      along = ToDouble(inPlane) + (random_() < 0.0 ? -1.0 : 1.0) * Size(-20.0, 0.0) * unit;
     }
     return { origin, ToDouble(Unit(ToLong(along))) };
   }
@@ -175,7 +175,7 @@ public:
   /// Before the ray's origin, at it, or near the hit, on either side.
   double Start(long double t)
   {
-    const double kind = TheRandom();
+    const double kind = random_();
     if (kind < 0.0 || !std::isfinite(static_cast<double>(t)))
     {
       return 0.0;
@@ -184,6 +184,6 @@ public:
   }
 
 private:
-  Random TheRandom;
+  Random random_;
 };
 } // namespace pixelexact::testing

@@ -46,7 +46,7 @@ public:
   using Value = std::function<long double(const LongVec3& x)>;
 
   /// Begins with the block's mesh.
-  explicit TrueScene(const Block& block) { Traced.locator = block.TheScene.locator; }
+  explicit TrueScene(const Block& block) { Traced.locator = block.scene_.locator; }
 
   void AddPlane(const Vec3& through, const Vec3& normal, const Layer& layer, Value value)
   {

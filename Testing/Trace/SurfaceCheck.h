@@ -146,26 +146,26 @@ class RaysAbout
 {
 public:
   explicit RaysAbout(std::uint64_t seed)
-    : TheRandom(seed)
+    : random_(seed)
   {
   }
-  Random& Numbers() { return TheRandom; }
+  Random& Numbers() { return random_; }
 
-  Vec3 Vector(double size) { return size * Vec3(TheRandom(), TheRandom(), TheRandom()); }
+  Vec3 Vector(double size) { return size * Vec3(random_(), random_(), random_()); }
   Vec3 UnitVector() { return ToDouble(Unit(ToLong(Vector(1.0) + Vec3(1e-3, 0.0, 0.0)))); }
   /// 10^least to 10^most, every decade alike.
-  double Decades(double least, double most) { return std::pow(10.0, TheRandom(least, most)); }
-  double Sign() { return TheRandom() < 0.0 ? -1.0 : 1.0; }
+  double Decades(double least, double most) { return std::pow(10.0, random_(least, most)); }
+  double Sign() { return random_() < 0.0 ? -1.0 : 1.0; }
 
   /// Through a point, from a distance.
   Ray Through(const Vec3& x, double distance)
   {
-    const double kind = TheRandom();
+    const double kind = random_();
     Vec3 along = UnitVector();
     if (kind < -0.7)
     {
       along = Vec3(0.0);
-      along[static_cast<int>(TheRandom(0.0, 3.0))] = Sign();
+      along[static_cast<int>(random_(0.0, 3.0))] = Sign();
     }
     return { x - distance * along, along };
   }
@@ -180,7 +180,7 @@ public:
   }
 
 private:
-  Random TheRandom;
+  Random random_;
 };
 
 /// Of one surface kind's rays: on the first instruction set compared with the definition, on the

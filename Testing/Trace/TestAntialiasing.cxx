@@ -59,8 +59,8 @@ public:
   {
     const auto sphere = std::make_shared<Quadric>(MakeSphere(kCentre, kRadius));
     const auto plane = std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0));
-    block.TheScene.layers.push_back({ nullptr, &block.TheField });
-    block.TheScene.layers[0].surface =
+    block.scene_.layers.push_back({ nullptr, &block.field_ });
+    block.scene_.layers[0].surface =
       GetParam().isDisc ? std::shared_ptr<const Surface>(sphere) : plane;
   }
 
@@ -108,7 +108,7 @@ TEST_P(Edges, ShowTheAreaThatIsCovered)
 {
   for (const bool translucent : { false, true })
   {
-    block.TheScene.layers[0].translucent = translucent;
+    block.scene_.layers[0].translucent = translucent;
     const ColorMapping colors = Plain(translucent ? 0.6 : 1.0);
     // A sphere has two sheets.
     const double full = !translucent ? 1.0 : GetParam().isDisc ? 1.0 - 0.4 * 0.4 : 0.6;
@@ -117,7 +117,7 @@ TEST_P(Edges, ShowTheAreaThatIsCovered)
     {
       SCOPED_TRACE(samples);
       Antialiasing module(samples);
-      const Frame frame = Trace(block.TheScene, camera, { { &colors }, { &module } });
+      const Frame frame = Trace(block.scene_, camera, { { &colors }, { &module } });
       int split = 0;
       double squares = 0.0;
       for (int y = 0; y < kHeight; ++y)
@@ -160,8 +160,8 @@ TEST_P(Edges, LeaveTheBuffersAlone)
 {
   const ColorMapping colors = Plain();
   Antialiasing module(9);
-  const Frame plain = Trace(block.TheScene, camera, { { &colors }, {} });
-  const Frame frame = Trace(block.TheScene, camera, { { &colors }, { &module } });
+  const Frame plain = Trace(block.scene_, camera, { { &colors }, {} });
+  const Frame frame = Trace(block.scene_, camera, { { &colors }, { &module } });
   ExpectSame(frame.centres, plain.centres);
   EXPECT_EQ(frame.centres.color, plain.centres.color);
   EXPECT_NE(frame.Image(), plain.Image());
@@ -170,7 +170,7 @@ TEST_P(Edges, LeaveTheBuffersAlone)
   EXPECT_EQ(frame.counters.rays, kWidth * kHeight + (33 + 6) * (33 + 4) + 9 * module.Refined());
   // One sample, in the middle: the same image.
   Antialiasing one(1);
-  const Frame same = Trace(block.TheScene, camera, { { &colors }, { &one } });
+  const Frame same = Trace(block.scene_, camera, { { &colors }, { &one } });
   EXPECT_EQ(same.Image(), plain.Image());
   EXPECT_EQ(one.Refined(), module.Refined());
 }
@@ -191,20 +191,20 @@ TEST(Antialiasing, IsTheSameWhereverItIsMade)
     const Camera camera(ObliqueView(), 70, 50);
     Antialiasing module(8);
     const Pipeline pipeline{ { &colors }, { &module } };
-    const Frame wanted = Trace(scene.TheScene, camera, pipeline);
+    const Frame wanted = Trace(scene.scene_, camera, pipeline);
     const std::int64_t refined = module.Refined();
     EXPECT_GT(refined, 500);
-    ProgressiveFrame frame(scene.TheScene, camera, pipeline);
+    ProgressiveFrame frame(scene.scene_, camera, pipeline);
     EXPECT_TRUE(frame.Refine());
     EXPECT_TRUE(frame.Complete());
     ExpectSame(frame.Get(), wanted);
     EXPECT_EQ(module.Refined(), refined);
-    Frame repainted = Trace(scene.TheScene, camera, {}, { .centres = colors.Needs() });
-    Repaint(scene.TheScene, camera, pipeline, repainted);
+    Frame repainted = Trace(scene.scene_, camera, {}, { .centres = colors.Needs() });
+    Repaint(scene.scene_, camera, pipeline, repainted);
     ExpectSame(repainted, wanted);
     EXPECT_EQ(module.Refined(), refined);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    ExpectSame(Trace(scene.TheScene, camera, pipeline), wanted);
+    ExpectSame(Trace(scene.scene_, camera, pipeline), wanted);
   }
 }
 
@@ -234,7 +234,7 @@ TEST(Antialiasing, MixesWhatShows)
     const std::uint8_t* row = &frame.Image()[static_cast<std::size_t>(20 * y)];
     EXPECT_EQ(std::vector<int>(row, row + 4), (std::vector{ 250, 0, 100, 51 }));
     EXPECT_EQ(std::vector<int>(row + 16, row + 20), (std::vector{ 0, 200, 100, 255 }));
-    // Halves: alpha (0.2 + 1) / 2, colours weighted 1 to 5.
+    // Children: alpha (0.2 + 1) / 2, colours weighted 1 to 5.
     EXPECT_NEAR(row[8], 250.0 / 6.0, 1.0);
     EXPECT_NEAR(row[9], 200.0 * 5.0 / 6.0, 1.0);
     EXPECT_NEAR(row[10], 100.0, 0.0);
@@ -248,7 +248,7 @@ TEST(Antialiasing, WithoutColoursOrSamples)
   EXPECT_THROW(Antialiasing(-3), Error);
   const LayeredScene scene(false);
   Antialiasing module(4);
-  const Frame frame = Trace(scene.TheScene, Camera(ObliqueView(), 20, 20), { {}, { &module } });
+  const Frame frame = Trace(scene.scene_, Camera(ObliqueView(), 20, 20), { {}, { &module } });
   EXPECT_TRUE(frame.Image().empty());
   EXPECT_EQ(frame.counters.rays, 400);
   EXPECT_EQ(module.Refined(), 0);
@@ -261,7 +261,7 @@ TEST(Antialiasing, AsksForWhatTheColoursNeed)
   const CoverageColors owners;
   Antialiasing module(4);
   const Frame frame =
-    Trace(scene.TheScene, Camera(ObliqueView(), 40, 30), { { &owners }, { &module } });
+    Trace(scene.scene_, Camera(ObliqueView(), 40, 30), { { &owners }, { &module } });
   EXPECT_GT(module.Refined(), 0);
   EXPECT_GT(std::ranges::count(frame.Image(), 255), 0);
 }

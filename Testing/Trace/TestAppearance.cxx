@@ -56,7 +56,7 @@ private:
 struct AppearanceScene
 {
   Block block;
-  View view{ nullptr, { block.TheScene.locator, {}, {} }, {}, {} };
+  View view{ nullptr, { block.scene_.locator, {}, {} }, {}, {} };
   Scene& scene = view.scene;
   Appearance& appearance = view.appearance;
   Frame frame;
@@ -67,7 +67,7 @@ struct AppearanceScene
     const auto plane = std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0));
     for (std::size_t k = 0; k < 3; ++k)
     {
-      scene.layers.push_back({ plane, &block.TheField });
+      scene.layers.push_back({ plane, &block.field_ });
       appearance.layers.emplace_back();
       appearance.layers.back().table = std::make_shared<GreyTable>();
     }
@@ -129,7 +129,7 @@ TEST(Appearance, RangesFollowTheirRules)
     ValueRange(Ends{ -9.0, 9.0 }));
   rule = { RangeRule::Of::Field };
   const Ends proven = made.RangeOf(0);
-  const auto own = made.fields.Of(made.scene.locator->GetMesh(), made.block.TheField, 0);
+  const auto own = made.fields.Of(made.scene.locator->GetMesh(), made.block.field_, 0);
   EXPECT_EQ(ValueRange(proven), own);
 }
 

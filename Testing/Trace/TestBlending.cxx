@@ -94,7 +94,7 @@ TEST(Blending, OfTranslucentLayers)
   const LayeredScene scene(true);
   const ColorMapping colors = LayeredColors();
   constexpr std::array kOpacity{ 0.6, 0.8 };
-  const Frame frame = Trace(scene.TheScene, Camera(ObliqueView(), 60, 45), { { &colors }, {} });
+  const Frame frame = Trace(scene.scene_, Camera(ObliqueView(), 60, 45), { { &colors }, {} });
   const auto sheets = SheetsOf(frame.centres);
   ASSERT_EQ(sheets.size(), 3U);
   int deep = 0;
@@ -201,8 +201,8 @@ TEST(SampleBuffers, OfFramesAreThoseThatWereAskedFor)
     { Buffer::Value, Buffer::Position, Buffer::Normal, Buffer::Xi, Buffer::Element, Buffer::Depth,
       Buffer::Verdict, Buffer::Coverage, Buffer::Enclosure, Buffer::Layer, Buffer::Piece })
   {
-    const Frame frame = Trace(scene.TheScene, camera, {}, { .centres = buffer });
-    const Frame corners = Trace(scene.TheScene, camera, {}, { .corners = buffer });
+    const Frame frame = Trace(scene.scene_, camera, {}, { .centres = buffer });
+    const Frame corners = Trace(scene.scene_, camera, {}, { .corners = buffer });
     EXPECT_EQ(frame.centres.behind.size(), 2U);
     for (const SampleBuffers* samples : { &frame.centres, &corners.corners })
     {

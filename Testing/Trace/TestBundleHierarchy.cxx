@@ -141,12 +141,12 @@ TEST(BundleHierarchy, EightBoxesAreToldAsOne)
       const RayBundle& bundle, const BundleHierarchy& /*hierarchy*/, const std::vector<Box3>& boxes)
     {
       EightBoxes eight;
-      eight.count = static_cast<int>(std::min(boxes.size(), EightBoxes::kMost));
+      eight.count = static_cast<int>(std::min(boxes.size(), EightBoxes::kMax));
       for (std::size_t k = 0; k < static_cast<std::size_t>(eight.count); ++k)
       {
         eight.Set(k, boxes[k]);
       }
-      std::array<double, EightBoxes::kMost> depth{};
+      std::array<double, EightBoxes::kMax> depth{};
       const unsigned met = bundle.MayMeet(eight, depth);
       EXPECT_EQ(met >> static_cast<unsigned>(eight.count), 0U);
       for (std::size_t k = 0; k < static_cast<std::size_t>(eight.count); ++k)

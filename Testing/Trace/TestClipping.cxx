@@ -194,7 +194,7 @@ TEST(Clipping, ToTheMeshsBoxLosesNothingOfAPlane)
   const Scene plane = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
   Scene beside = plane;
   beside.layers.push_back(
-    { std::make_shared<Quadric>(MakeSphere({ 0.0, 0.0, -50.0 }, 1.0)), &block.TheField });
+    { std::make_shared<Quadric>(MakeSphere({ 0.0, 0.0, -50.0 }, 1.0)), &block.field_ });
   // On a face of the cube, and at one of its edges.
   for (const Vec3& border : { Vec3(1.0, 0.3, -0.06), Vec3(-1.0, 1.0, 0.0) })
   {

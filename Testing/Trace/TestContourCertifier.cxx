@@ -154,7 +154,7 @@ TEST(ContourCertifier, NoVerdictIsWrongAlongFaces)
   {
     SCOPED_TRACE(one.name);
     Block block;
-    Scene scene = block.TheScene;
+    Scene scene = block.scene_;
     const Field& field =
       block.Add(1, [&](const LongVec3& x, long double* u) { u[0] = one.value(x); });
     scene.layers = { { std::make_shared<Plane>(Vec3(0.0), normal), &field } };
@@ -221,13 +221,13 @@ public:
     Elements.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
     Values.Add(UniformSpace(Shape::Hexahedron, order),
       [&](const LongVec3& xi, long double* u) { *u = value(xi); });
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
   }
   void Certify(ContourCertifier& certifier) const
   {
-    const Scene scene{ TheLocator.get(),
-      { { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.25), Vec3(0.0, 0.0, 1.0)), &TheField } }, {} };
+    const Scene scene{ locator_.get(),
+      { { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.25), Vec3(0.0, 0.0, 1.0)), &field_ } }, {} };
     Trace(scene, ViewAlongZ(kPixels, kPixels, kScale), { {}, { &certifier } });
   }
   /// The x of the k-th line between two columns of pixels.
@@ -239,8 +239,8 @@ public:
 private:
   MeshBuilder Elements;
   ExpansionBuilder Values{ 1 };
-  Field TheField;
-  std::unique_ptr<Locator> TheLocator;
+  Field field_;
+  std::unique_ptr<Locator> locator_;
 };
 } // namespace
 
@@ -350,7 +350,7 @@ TEST(ContourCertifier, MagnitudesAreProven)
       u[0] = x[0];
       u[1] = x[1];
     });
-  Scene scene = block.TheScene;
+  Scene scene = block.scene_;
   const Plane plane(kPlaneOrigin, kPlaneNormal);
   scene.layers = { { std::make_shared<Plane>(plane), &field, kMagnitude } };
   const Camera camera(Oblique(), kVerdictWidth, kVerdictHeight);
@@ -411,7 +411,7 @@ TEST(ContourCertifier, SearchedSurfacesAreUndecidedWhereShown)
       std::ranges::copy(x, gradients.begin());
     }
   };
-  const Scene searched{ block.TheScene.locator,
+  const Scene searched{ block.scene_.locator,
     { { std::make_shared<SearchedSurface>(std::make_shared<Ball>(), Box3{ Vec3(-1.0), Vec3(1.0) }),
       &field, 0 } },
     {} };
@@ -528,7 +528,7 @@ TEST(ContourCertifier, RidgesAlongFacesAreNotOut)
   };
   for (const Case& one : cases)
   {
-    const Scene scene{ block.TheScene.locator, { { one.surface, &field } }, {} };
+    const Scene scene{ block.scene_.locator, { { one.surface, &field } }, {} };
     const TrueVerdicts truth(
       BlockSight(Oblique(), one.hits, [](const LongVec3& x) { return x[2]; }), kVerdictWidth,
       kVerdictHeight, { 0.0 }, 0.0L);

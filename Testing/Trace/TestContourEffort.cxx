@@ -58,7 +58,7 @@ std::vector<std::shared_ptr<const Surface>> Surfaces()
 TEST(ContourEffort, LessLeavesMoreUndecidedAndNothingElse)
 {
   const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
-  const ElementIndex& index = cube.TheLocator.Index();
+  const ElementIndex& index = cube.locator_.Index();
   std::vector<std::shared_ptr<const Surface>> surfaces = Surfaces();
   surfaces.push_back(std::make_shared<ElementFaces>(index, BoundaryOf(index)));
   for (const auto& surface : surfaces)
@@ -132,7 +132,7 @@ TEST(ContourEffort, HardTilesGetWhatOthersLeave)
   EXPECT_EQ(usual.counters.in + usual.counters.out + usual.counters.undecided, kAcross * kUp);
 }
 
-TEST(ContourEffort, PassesTellTheSame)
+TEST(ContourEffort, PassesReportTheSame)
 {
   const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
   const Scene scene = cube.With(Surfaces().front());
@@ -251,17 +251,17 @@ TEST(ContourEffort, LargeBoxesCostAPlanePartWhatItSees)
   EXPECT_EQ(work.PartOf({ 1.0, 2.0, 1.5 }), 1.0);
 }
 
-TEST(ContourEffort, MoreHalvesMore)
+TEST(ContourEffort, MoreSubdivideMore)
 {
   ContourMethod method;
   method.SetEffort(8.0);
   const ContourMethod usual;
-  EXPECT_EQ(method.halvings, usual.halvings + 3);
+  EXPECT_EQ(method.subdivisions, usual.subdivisions + 3);
   EXPECT_EQ(method.crossings, usual.crossings + 3);
   EXPECT_EQ(method.work, 8 * usual.work);
   EXPECT_EQ(method.samples, 8 * usual.samples);
   method.SetEffort(1.0);
-  EXPECT_EQ(method.halvings, usual.halvings);
+  EXPECT_EQ(method.subdivisions, usual.subdivisions);
   EXPECT_EQ(method.parts, usual.parts);
 }
 } // namespace pixelexact::testing

@@ -21,7 +21,8 @@ CameraView FromAfar(bool parallel)
   return view;
 }
 
-ContourCounters JudgeAndCheck(const Scene& scene, const CameraView& view, const TrueVerdicts& truth)
+ContourCounters ClassifyAndCheck(
+  const Scene& scene, const CameraView& view, const TrueVerdicts& truth)
 {
   ContourCertifier certifier({ kContourValues });
   Trace(scene, Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
@@ -70,8 +71,8 @@ TEST(ContourFaces, NoVerdictOnABoundaryIsWrong)
       SCOPED_TRACE(::testing::Message()
         << (parallel ? "parallel, " : "") << Name(shapes.front()) << " of " << shapes.size());
       const BentCube cube(shapes);
-      const ElementIndex& index = cube.TheLocator.Index();
-      const ContourCounters counters = JudgeAndCheck(
+      const ElementIndex& index = cube.locator_.Index();
+      const ContourCounters counters = ClassifyAndCheck(
         cube.With(std::make_shared<ElementFaces>(index, BoundaryOf(index))), view, truth);
       EXPECT_LE(counters.undecided, 2);
     }
@@ -141,7 +142,7 @@ TEST(ContourFaces, SilhouettesBeforeOtherSheetsAreSettled)
     }
   }
   ContourCertifier certifier({ kContourValues });
-  Trace(cube.With(std::make_shared<ElementFaces>(cube.TheLocator.Index(), faces)),
+  Trace(cube.With(std::make_shared<ElementFaces>(cube.locator_.Index(), faces)),
     Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
   truth.Check(certifier.Verdicts(), false);
   const ContourCounters& counters = certifier.Counters();
@@ -173,9 +174,8 @@ TEST(ContourFaces, NoVerdictOnAnIsoSurfaceIsWrong)
       const ExpansionBuilder values =
         cube.FieldOf([](const LongVec3& x, int /*element*/) { return Dot(x, x); });
       const Field field{ "square", values.View() };
-      const ContourCounters counters = JudgeAndCheck(
-        cube.With(
-          std::make_shared<IsoSurface>(cube.TheLocator.Index(), field, 0, kRadius * kRadius)),
+      const ContourCounters counters = ClassifyAndCheck(
+        cube.With(std::make_shared<IsoSurface>(cube.locator_.Index(), field, 0, kRadius * kRadius)),
         view, truth);
       EXPECT_LE(counters.undecided, 6);
     }
@@ -230,7 +230,7 @@ TEST(ContourFaces, WallsWithTheValueAreIn)
         const LongVec3 u = *Unbent(x);
         return (1 - u[0] * u[0]) * (1 - u[1] * u[1]) * (1 - u[2] * u[2]);
       });
-    const ElementIndex& index = cube.TheLocator.Index();
+    const ElementIndex& index = cube.locator_.Index();
     ExpectInWhereShown(cube.With(std::make_shared<ElementFaces>(index, BoundaryOf(index))), 0.0);
   }
 }
@@ -244,7 +244,7 @@ TEST(ContourFaces, AnIsoSurfaceHasItsOwnValueAlone)
     SCOPED_TRACE(::testing::Message() << Name(shapes.front()) << " of " << shapes.size());
     const BentCube cube(shapes);
     const Scene scene =
-      cube.With(std::make_shared<IsoSurface>(cube.TheLocator.Index(), cube.TheField, 0, kValue));
+      cube.With(std::make_shared<IsoSurface>(cube.locator_.Index(), cube.field_, 0, kValue));
     ExpectInWhereShown(scene, kValue);
     ContourCertifier others({ std::vector{ kValue - 1e-15, kValue + 1e-15, 1.0 } });
     Trace(scene, Camera(FromAfar(false), kVerdictWidth, kVerdictHeight), { {}, { &others } });

@@ -189,12 +189,12 @@ TEST(ContourLines, OfAQuadraticFieldCoverWhatIsNear)
     TrueScene scene(block);
     if (sphere)
     {
-      scene.AddSphere({ 0.1, -0.1, 0.2 }, 0.7, { nullptr, &block.TheField }, &Block::CurvedAt);
+      scene.AddSphere({ 0.1, -0.1, 0.2 }, 0.7, { nullptr, &block.field_ }, &Block::CurvedAt);
     }
     else
     {
       scene.AddPlane(
-        { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
+        { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.field_ }, &Block::CurvedAt);
     }
     const CameraView view = MakeNarrowView();
     const OnImage f = SeenThrough(scene, view, kSize);
@@ -282,7 +282,7 @@ TEST(ContourLines, EndWhereASheetBegins)
 {
   Block block;
   const Field& along = block.Add(1, [](const LongVec3& x, long double* u) { u[0] = x[2]; });
-  Scene scene = block.TheScene;
+  Scene scene = block.scene_;
   const auto ball = [](const Vec3& centre, double radius)
   {
     return Combined::Part{ std::make_shared<Quadric>(MakeSphere(centre, radius)),
@@ -442,7 +442,7 @@ TEST(ContourLines, DoNotDependOnTilesAndThreads)
     const auto traced = [&](std::size_t threads)
     {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      return Trace(scene.TheScene, camera, pipeline);
+      return Trace(scene.scene_, camera, pipeline);
     };
     const Frame frame = traced(1);
     EXPECT_EQ(traced(4).Image(), frame.Image());
@@ -454,7 +454,7 @@ TEST(ContourLines, DoNotDependOnTilesAndThreads)
       {
         for (int x = 0; x < 75; x += 13)
         {
-          TileVisit visit(&scene.TheScene, &camera, pipeline, again,
+          TileVisit visit(&scene.scene_, &camera, pipeline, again,
             { x, y, std::min(x + 13, 75), std::min(y + 7, 61) });
           if (modules == pipeline.Runs().front())
           {
@@ -467,8 +467,8 @@ TEST(ContourLines, DoNotDependOnTilesAndThreads)
     EXPECT_EQ(again.Image(), frame.Image());
     // With corners that the frame keeps, and pass by pass.
     const Buffer kept = pipeline.Needs().corners;
-    EXPECT_EQ(Trace(scene.TheScene, camera, pipeline, { .corners = kept }).Image(), frame.Image());
-    ProgressiveFrame passes(scene.TheScene, camera, pipeline, Buffer::None, kept);
+    EXPECT_EQ(Trace(scene.scene_, camera, pipeline, { .corners = kept }).Image(), frame.Image());
+    ProgressiveFrame passes(scene.scene_, camera, pipeline, Buffer::None, kept);
     while (passes.Step() != 1)
     {
       ASSERT_TRUE(passes.Refine());
@@ -529,7 +529,7 @@ TEST(ContourLines, RefuseWhatTheyCannotDraw)
   for (const std::size_t lists : { 1U, 3U })
   {
     Contours others({ 1.0 }, 1.5, lists);
-    EXPECT_THROW(Trace(layered.TheScene, Camera(ObliqueView(), 20, 20), others.On(ofLayers)), Error)
+    EXPECT_THROW(Trace(layered.scene_, Camera(ObliqueView(), 20, 20), others.On(ofLayers)), Error)
       << lists;
   }
 }

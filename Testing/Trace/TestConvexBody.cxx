@@ -300,7 +300,7 @@ TEST(ConvexBody, BoxIsEnteredAndLeft)
     1U);
 }
 
-TEST(ConvexBody, HitsTellTheirFace)
+TEST(ConvexBody, HitsNameTheirFace)
 {
   const ConvexBody box = MakeBox(Vec3(-1.0), Vec3(1.0));
   double lanes[8][kLanePadding];

@@ -23,10 +23,10 @@ protected:
   /// x + 10 y + 100 z of `value`.
   IsoSurface Iso(double value)
   {
-    return { TheBlock.TheScene.locator->Index(), TheBlock.TheField, 0, value };
+    return { block_.scene_.locator->Index(), block_.field_, 0, value };
   }
 
-  Block TheBlock;
+  Block block_;
 };
 } // namespace
 
@@ -80,7 +80,7 @@ TEST_F(CurvedParts, FacesOfOneElementAreMetInItsBox)
     ASSERT_NE(found, all.end());
     faces.push_back({ e, static_cast<int>(found - all.begin()) });
   }
-  const ElementFaces surface(TheBlock.TheScene.locator->Index(), faces);
+  const ElementFaces surface(block_.scene_.locator->Index(), faces);
   EXPECT_EQ(surface.Parts(), 8);
   const auto hits = HitsOf(surface, kDown);
   ASSERT_EQ(hits.size(), 2U);

@@ -131,7 +131,7 @@ TEST(CurvedSagitta, OfFacesHoldsClosedForm)
   for (const auto& shapes : kMeshShapes)
   {
     const BentCube cube(shapes);
-    const ElementIndex& index = cube.TheLocator.Index();
+    const ElementIndex& index = cube.locator_.Index();
     const ElementFaces surface(index, BoundaryOf(index));
     const SagittaTally seen = CheckPairs(
       surface,
@@ -177,7 +177,7 @@ TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
       cube.FieldOf([](const LongVec3& x, int /*element*/) { return Dot(x, x); });
     const Field field{ "square", values.View() };
     constexpr double kRadius = 0.75;
-    const IsoSurface surface(cube.TheLocator.Index(), field, 0, kRadius * kRadius);
+    const IsoSurface surface(cube.locator_.Index(), field, 0, kRadius * kRadius);
     const SagittaTally seen = CheckSphere(surface, kRadius, 2000);
     SCOPED_TRACE(PrintSagittaTally(shapes, seen));
     EXPECT_GT(seen.known, 400);
@@ -205,7 +205,7 @@ TEST(CurvedSagitta, OfMagnitudesHoldsClosedForm)
   }
   const Field field{ "x", values.View() };
   constexpr double kRadius = 0.75;
-  const IsoSurface surface(cube.TheLocator.Index(), field, kMagnitude, kRadius);
+  const IsoSurface surface(cube.locator_.Index(), field, kMagnitude, kRadius);
   const SagittaTally seen = CheckSphere(surface, kRadius, 600);
   PrintSagittaTally(kMeshShapes.front(), seen);
   EXPECT_GT(seen.closeKnown, 0.9 * seen.close);
@@ -222,7 +222,7 @@ struct IsoBall
   ExpansionBuilder values =
     cube.FieldOf([](const LongVec3& x, int /*element*/) { return Dot(x, x); });
   Field field{ "square", values.View() };
-  IsoSurface surface{ cube.TheLocator.Index(), field, 0, kRadius* kRadius };
+  IsoSurface surface{ cube.locator_.Index(), field, 0, kRadius* kRadius };
 };
 } // namespace
 

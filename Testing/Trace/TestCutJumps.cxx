@@ -32,23 +32,23 @@ public:
         [&](const LongVec3& xi, long double* u)
         { *u = JumpingValueAt(isContinuous ? 0 : e, Block::Map(e, xi)); });
     }
-    TheField = { "u", Values.View() };
-    TheScene.locator = TheBlock.TheScene.locator;
+    field_ = { "u", Values.View() };
+    scene_.locator = block_.scene_.locator;
   }
 
   CutJumps Find(const std::shared_ptr<const Surface>& surface, Frame& frame)
   {
-    TheScene.layers = { { surface, &TheField } };
+    scene_.layers = { { surface, &field_ } };
     // Even numbers: no pixel's centre is on a face.
-    frame = Trace(TheScene, ViewAlongZ(100, 84), {}, { .centres = NeedsOfCutJumps() });
-    return FindCutJumps(TheScene, frame.centres);
+    frame = Trace(scene_, ViewAlongZ(100, 84), {}, { .centres = NeedsOfCutJumps() });
+    return FindCutJumps(scene_, frame.centres);
   }
 
 private:
-  Block TheBlock;
+  Block block_;
   ExpansionBuilder Values{ 1 };
-  Field TheField;
-  Scene TheScene;
+  Field field_;
+  Scene scene_;
 };
 
 /// Where the segment between two points of the plane z = `z` leaves the element of the first one:

@@ -48,18 +48,18 @@ public:
         });
       Values.Add(space, [](const LongVec3& xi, long double* u) { u[0] = xi[1]; });
     }
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
-    TheScene.locator = TheLocator.get();
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
+    scene_.locator = locator_.get();
   }
 
-  Field TheField;
-  Scene TheScene;
+  Field field_;
+  Scene scene_;
 
 private:
   MeshBuilder Elements;
   ExpansionBuilder Values{ 1 };
-  std::unique_ptr<Locator> TheLocator;
+  std::unique_ptr<Locator> locator_;
 };
 } // namespace
 
@@ -181,11 +181,11 @@ TEST(DebugColors, CoverageOfWhatIsSeen)
     { { 0.9, 0.3, -0.5 }, true }, { { 1.5, 0.8, -0.7 }, true } };
   for (const auto& [planes, translucent] : cases)
   {
-    Scene scene = mesh.TheScene;
+    Scene scene = mesh.scene_;
     for (const double z : planes)
     {
       scene.layers.push_back({ std::make_shared<Plane>(Vec3(0.0, 0.0, z), Vec3(0.0, 0.0, 1.0)),
-        &mesh.TheField, 0, Precision::Double, translucent });
+        &mesh.field_, 0, Precision::Double, translucent });
     }
     std::ranges::rotate(scene.layers, scene.layers.begin() + 1);
     const Frame frame = Trace(scene, camera, { { &colors }, {} }, { .centres = Buffer::Verdict });
@@ -236,7 +236,7 @@ TEST(DebugColors, ValidityOfTheElementSeen)
       std::array{ kOnce, kMore, Rgba{ 240, 228, 66, 255 } }.at(static_cast<std::size_t>(e % 3)));
   }
   const ValidityColors colors(verdicts);
-  const Frame frame = Trace(scene.TheScene, Camera(ObliqueView(), 50, 40), { { &colors }, {} });
+  const Frame frame = Trace(scene.scene_, Camera(ObliqueView(), 50, 40), { { &colors }, {} });
   std::array<int, 8> seen{};
   for (std::size_t i = 0; i < frame.centres.Size(); ++i)
   {

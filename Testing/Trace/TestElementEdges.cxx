@@ -32,20 +32,20 @@ public:
       Elements.Add(space, map);
       Values.Add(space, [](const LongVec3&, long double* u) { u[0] = 1; });
     }
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
-    TheScene.locator = TheLocator.get();
-    TheScene.layers.push_back(
-      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.0, 0.0, 1.0)), &TheField });
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
+    scene_.locator = locator_.get();
+    scene_.layers.push_back(
+      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.0, 0.0, 1.0)), &field_ });
   }
 
-  Field TheField;
-  Scene TheScene;
+  Field field_;
+  Scene scene_;
 
 private:
   MeshBuilder Elements;
   ExpansionBuilder Values{ 1 };
-  std::unique_ptr<Locator> TheLocator;
+  std::unique_ptr<Locator> locator_;
 };
 
 /// An image of x from 0 to 1 whose pixels are `1 / pixels` wide, with one pixel beyond either end,
@@ -79,7 +79,7 @@ TEST(ElementEdges, HaveTheirWidthAndPlace)
     ElementEdges edges(EdgeStyle::Plain(width, kBlack));
     for (const double moved : { -0.5, -0.3, 0.0, 0.1, 0.45 })
     {
-      const Frame frame = Trace(row.TheScene, AcrossRow(40, moved), { { &colors }, { &edges } });
+      const Frame frame = Trace(row.scene_, AcrossRow(40, moved), { { &colors }, { &edges } });
       double sum = 0.0;
       for (int x = 6; x < frame.width - 6; ++x)
       {
@@ -102,7 +102,7 @@ TEST(ElementEdges, CoverWhatIsNearTheLine)
 {
   const Block block;
   TrueScene scene(block);
-  scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.TheField }, &Block::CurvedAt);
+  scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.field_ }, &Block::CurvedAt);
   CameraView view;
   view.position = { 1.0, -1.5, 4.0 };
   view.viewAngle = 20.0;
@@ -148,7 +148,7 @@ TEST(ElementEdges, CoverWhatIsNearTheLine)
   }
 }
 
-TEST(ElementEdges, TellKindsApart)
+TEST(ElementEdges, DistinguishKinds)
 {
   const Row row(2);
   const ColorMapping colors = MakeWhite();
@@ -157,7 +157,7 @@ TEST(ElementEdges, TellKindsApart)
   ElementEdges edges(style, [](int element, int face) { return KindInRow(2, element, face); });
   for (const double moved : { -0.4, 0.2 })
   {
-    const Frame frame = Trace(row.TheScene, AcrossRow(40, moved), { { &colors }, { &edges } });
+    const Frame frame = Trace(row.scene_, AcrossRow(40, moved), { { &colors }, { &edges } });
     double red = 0.0;
     double black = 0.0;
     for (int x = 1; x < 21; ++x)
@@ -172,7 +172,7 @@ TEST(ElementEdges, TellKindsApart)
   }
   // Half of it where nobody tells which is which.
   ElementEdges alike(EdgeStyle::Plain(2.0, kBlack));
-  const Frame frame = Trace(row.TheScene, AcrossRow(40), { { &colors }, { &alike } });
+  const Frame frame = Trace(row.scene_, AcrossRow(40), { { &colors }, { &alike } });
   EXPECT_NEAR(CoverAt(frame, 1, 1), 1.0, 0.01);
   EXPECT_NEAR(CoverAt(frame, 2, 1), 0.0, 0.01);
 }
@@ -186,7 +186,7 @@ TEST(ElementEdges, FadeWhereElementsAreSmall)
   for (const int pixels : { 240, 120, 80, 60, 30, 20 })
   {
     const Row row(20);
-    const Frame frame = Trace(row.TheScene, AcrossRow(pixels), { { &colors }, { &edges } });
+    const Frame frame = Trace(row.scene_, AcrossRow(pixels), { { &colors }, { &edges } });
     double sum = 0.0;
     for (int x = 1; x <= pixels; ++x)
     {
@@ -254,10 +254,10 @@ TEST(ElementEdges, AreDrawnOnFacesOfElements)
     std::make_shared<Plane>(Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, 1.0));
   for (const auto& surface : { plane, std::shared_ptr<const Surface>(std::make_shared<Top>(2)) })
   {
-    row.TheScene.layers.front().surface = surface;
+    row.scene_.layers.front().surface = surface;
     for (ElementEdges* const edges : { &alike, &told })
     {
-      const Frame frame = Trace(row.TheScene, AcrossRow(40), { { &colors }, { edges } });
+      const Frame frame = Trace(row.scene_, AcrossRow(40), { { &colors }, { edges } });
       EXPECT_EQ(frame.counters.exact, 160);
       for (int x = 2; x < 40; ++x)
       {
@@ -273,9 +273,9 @@ TEST(ElementEdges, AreTheSameForAnyTilesAndThreads)
 {
   const Block block;
   TrueScene scene(block);
-  scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.TheField }, &Block::CurvedAt);
+  scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.field_ }, &Block::CurvedAt);
   scene.AddPlane(
-    { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
+    { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.field_ }, &Block::CurvedAt);
   const ColorMapping colors = MakeWhite();
   ElementEdges edges(EdgeStyle::Plain(3.0, kBlack));
   const Pipeline pipeline{ { &colors }, { &edges } };
@@ -311,11 +311,11 @@ TEST(ElementEdges, AreRepainted)
   ElementEdges thin(EdgeStyle::Plain(1.0, kBlack));
   ElementEdges thick(EdgeStyle::Plain(4.0, kGreen));
   const Camera camera = AcrossRow(40);
-  Frame frame = Trace(row.TheScene, camera, { { &colors }, { &thin } });
+  Frame frame = Trace(row.scene_, camera, { { &colors }, { &thin } });
   const std::int64_t rays = frame.counters.rays;
-  Repaint(row.TheScene, camera, { { &colors }, { &thick } }, frame);
+  Repaint(row.scene_, camera, { { &colors }, { &thick } }, frame);
   EXPECT_EQ(frame.counters.rays, rays);
-  EXPECT_EQ(frame.Image(), Trace(row.TheScene, camera, { { &colors }, { &thick } }).Image());
+  EXPECT_EQ(frame.Image(), Trace(row.scene_, camera, { { &colors }, { &thick } }).Image());
   // The scene is asked where it is.
   EXPECT_THROW(Repaint({ { &colors }, { &thick } }, frame), Error);
 }
@@ -327,11 +327,11 @@ TEST(ElementEdges, KeepThePixelsOpacity)
     { std::fill_n(to, 4 * values.size(), std::uint8_t{ 100 }); },
     { 255, 255, 255, 255 });
   ElementEdges edges(EdgeStyle::Plain(2.0, kRed));
-  const Frame frame = Trace(row.TheScene, AcrossRow(40), { { &colors }, { &edges } });
+  const Frame frame = Trace(row.scene_, AcrossRow(40), { { &colors }, { &edges } });
   const std::uint8_t* const line = &frame.Image()[4 * static_cast<std::size_t>(frame.width + 20)];
   EXPECT_EQ((Rgba{ line[0], line[1], line[2], line[3] }), (Rgba{ 255, 0, 0, 100 }));
   // Without colours there is nothing to draw on.
-  EXPECT_TRUE(Trace(row.TheScene, AcrossRow(40), { {}, { &edges } }).Image().empty());
+  EXPECT_TRUE(Trace(row.scene_, AcrossRow(40), { {}, { &edges } }).Image().empty());
 }
 
 TEST(ElementEdges, RefuseWidthsOutOfRange)

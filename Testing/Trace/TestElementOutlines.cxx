@@ -44,10 +44,10 @@ struct CutBlock
 
   explicit CutBlock(bool translucent = false)
   {
-    const Layer sphere{ nullptr, &block.TheField, 0, Precision::Double, translucent };
+    const Layer sphere{ nullptr, &block.field_, 0, Precision::Double, translucent };
     scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, sphere, &Block::CurvedAt);
     scene.AddPlane(
-      { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
+      { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.field_ }, &Block::CurvedAt);
   }
 };
 
@@ -215,11 +215,10 @@ private:
 TEST(ElementOutlines, LeaveWhatIsUnknown)
 {
   Block block;
-  block.TheScene.layers.push_back({ std::make_shared<HalfDecided>(), &block.TheField });
+  block.scene_.layers.push_back({ std::make_shared<HalfDecided>(), &block.field_ });
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
-  const Frame frame =
-    Trace(block.TheScene, ViewAlongZ(50, 50, 0.95), { { &colors }, { &outlines } });
+  const Frame frame = Trace(block.scene_, ViewAlongZ(50, 50, 0.95), { { &colors }, { &outlines } });
   int found = 0;
   for (std::size_t i = 0; i < 2500; ++i)
   {

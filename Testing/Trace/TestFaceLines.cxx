@@ -120,9 +120,9 @@ TEST(FaceLines, AreWhereSurfacesCrossFaces)
 {
   const Block block;
   TrueScene scene(block);
-  scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.TheField }, &Block::CurvedAt);
+  scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.field_ }, &Block::CurvedAt);
   scene.AddPlane(
-    { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
+    { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.field_ }, &Block::CurvedAt);
   for (const int size : { 30, 60, 120 })
   {
     const LineTally tally = CompareLines(scene, MakeAskewView(), size);
@@ -141,7 +141,7 @@ TEST(FaceLines, EndAtSilhouettes)
   for (const double radius : { 0.3, 0.6, 0.9 })
   {
     TrueScene scene(block);
-    scene.AddSphere({ 0.05, -0.1, 0.02 }, radius, { nullptr, &block.TheField }, &Block::CurvedAt);
+    scene.AddSphere({ 0.05, -0.1, 0.02 }, radius, { nullptr, &block.field_ }, &Block::CurvedAt);
     for (const int size : { 30, 100 })
     {
       const LineTally tally = CompareLines(scene, MakeAskewView(), size);

@@ -44,9 +44,9 @@ public:
         u[1] = -x[1];
         u[2] = 2 * x[2];
       });
-    TheScalar = { "w", Scalar.View() };
-    TheVector = { "v", Vector.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
+    scalar_ = { "w", Scalar.View() };
+    vector_ = { "v", Vector.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
   }
 
   static LongVec3 Map(const LongVec3& xi)
@@ -54,9 +54,9 @@ public:
     return { 0.5L + xi[0], xi[1] + 0.1L * (1 - xi[1] * xi[1]) * xi[0], xi[2] };
   }
 
-  Field TheScalar;
-  Field TheVector;
-  std::unique_ptr<Locator> TheLocator;
+  Field scalar_;
+  Field vector_;
+  std::unique_ptr<Locator> locator_;
 
 private:
   MeshBuilder Elements;
@@ -94,8 +94,8 @@ TEST(FieldDifference, IsThatOfTheClosedFormsAndWithinItsBounds)
   Block block;
   block.MakeCurved();
   const Slab slab;
-  const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
-    { slab.TheLocator.get(), &slab.TheScalar },
+  const DifferenceScene scene{ { block.scene_.locator, &block.field_ },
+    { slab.locator_.get(), &slab.scalar_ },
     std::make_shared<Plane>(Vec3(0.0, 0.0, 0.25), Vec3(0.0, 0.0, 1.0)) };
   const CameraView view = MakeSlantedView();
   const FieldDifference found =
@@ -182,8 +182,8 @@ TEST(FieldDifference, TheNearestPointInEitherMeshIsSeen)
   view.viewUp = { 0.0, 0.0, 1.0 };
   view.viewAngle = 14.0;
   const Camera camera(view, kDifferenceWidth, kDifferenceHeight);
-  const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
-    { slab.TheLocator.get(), &slab.TheScalar }, Sphere(centre, radius) };
+  const DifferenceScene scene{ { block.scene_.locator, &block.field_ },
+    { slab.locator_.get(), &slab.scalar_ }, Sphere(centre, radius) };
   const FieldDifference found = TraceDifference(scene, camera, Buffer::None, false);
   const std::int64_t onlySecond = CountOf(found, DifferenceSide::Second);
   EXPECT_GT(onlySecond, 300);
@@ -214,9 +214,9 @@ TEST(FieldDifference, OfAMeshItsOwnFacesAreSeen)
   Block block;
   block.MakeCurved();
   const std::array<ElementFace, 1> face{ ElementFace{ 0, 1 } };
-  const DifferenceScene scene{ { slab.TheLocator.get(), &slab.TheScalar },
-    { block.TheScene.locator, &block.TheField },
-    std::make_shared<ElementFaces>(slab.TheLocator->Index(), face) };
+  const DifferenceScene scene{ { slab.locator_.get(), &slab.scalar_ },
+    { block.scene_.locator, &block.field_ },
+    std::make_shared<ElementFaces>(slab.locator_->Index(), face) };
   CameraView view;
   view.position = { -6.0, 0.3, 0.2 };
   view.focalPoint = { 0.0, 0.0, 0.0 };
@@ -251,8 +251,8 @@ TEST(FieldDifference, MagnitudesAreThoseOfTheDifference)
       u[1] = x[0] * x[0];
       u[2] = x[2] - 1;
     });
-  const DifferenceScene scene{ { block.TheScene.locator, &first },
-    { slab.TheLocator.get(), &slab.TheVector },
+  const DifferenceScene scene{ { block.scene_.locator, &first },
+    { slab.locator_.get(), &slab.vector_ },
     std::make_shared<Plane>(Vec3(0.0, 0.0, 0.3), Vec3(0.0, 0.0, 1.0)), kMagnitude };
   const FieldDifference found =
     TraceDifference(scene, ViewAlongZ(kDifferenceWidth, kDifferenceHeight));
@@ -277,8 +277,8 @@ TEST(FieldDifference, MagnitudesAreThoseOfTheDifference)
 TEST(FieldDifference, OfAFieldFromItselfIsZero)
 {
   Block block;
-  const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
-    { block.TheScene.locator, &block.TheField },
+  const DifferenceScene scene{ { block.scene_.locator, &block.field_ },
+    { block.scene_.locator, &block.field_ },
     std::make_shared<Plane>(Vec3(0.0), Vec3(0.1, 0.2, 1.0)) };
   const DifferenceNumbers numbers =
     NumbersOf(TraceDifference(scene, ViewAlongZ(kDifferenceWidth, kDifferenceHeight)));
@@ -291,8 +291,8 @@ TEST(FieldDifference, OfAFieldFromItselfIsZero)
 TEST(FieldDifference, NotANumberIsCountedAndLeavesTheMeans)
 {
   Block block;
-  DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
-    { block.TheScene.locator, &block.TheField },
+  DifferenceScene scene{ { block.scene_.locator, &block.field_ },
+    { block.scene_.locator, &block.field_ },
     std::make_shared<Plane>(Vec3(0.0, 0.0, -0.5), Vec3(0.0, 0.0, 1.0)), 1 };
   const FieldDifference found =
     TraceDifference(scene, ViewAlongZ(kDifferenceWidth, kDifferenceHeight));
@@ -308,8 +308,8 @@ TEST(FieldDifference, ThreadsChangeNoBitAndProgressAborts)
   Block block;
   block.MakeCurved();
   const Slab slab;
-  const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
-    { slab.TheLocator.get(), &slab.TheScalar }, Sphere(Vec3(0.5, 0.1, 0.0), 0.8) };
+  const DifferenceScene scene{ { block.scene_.locator, &block.field_ },
+    { slab.locator_.get(), &slab.scalar_ }, Sphere(Vec3(0.5, 0.1, 0.0), 0.8) };
   const Camera camera(MakeSlantedView(), kDifferenceWidth, kDifferenceHeight);
   const FieldDifference many = TraceDifference(scene, camera);
   {
@@ -328,8 +328,8 @@ TEST(FieldDifference, FieldsThatDoNotFitAreRefused)
 {
   Block block;
   const Slab slab;
-  DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
-    { slab.TheLocator.get(), &slab.TheScalar }, std::make_shared<Plane>(Vec3(0.0), Vec3(1.0)) };
+  DifferenceScene scene{ { block.scene_.locator, &block.field_ },
+    { slab.locator_.get(), &slab.scalar_ }, std::make_shared<Plane>(Vec3(0.0), Vec3(1.0)) };
   EXPECT_THROW((void)TraceDifference(scene, ViewAlongZ(8, 8)), Error);
   scene.second = scene.first;
   scene.component = 2;

@@ -38,7 +38,7 @@ public:
         const auto [a, b, c] = xi;
         return { a - 1 + 0.1L * (1 - a) * b * b, b + 0.1L * c * c * (1 - a), c };
       });
-    TheField = { "u", Values.View() };
+    field_ = { "u", Values.View() };
     Meshed = Elements.View();
   }
 
@@ -48,7 +48,7 @@ public:
     Scene scene;
     scene.locator = &locator;
     scene.layers.push_back(
-      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)), &TheField });
+      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)), &field_ });
     return scene;
   }
 
@@ -62,7 +62,7 @@ private:
     Values.Add(space, [](const LongVec3& xi, long double* u) { u[0] = xi[0] * xi[1] + xi[2]; });
   }
 
-  Field TheField;
+  Field field_;
   MeshBuilder Elements;
   ExpansionBuilder Values{ 1 };
 };

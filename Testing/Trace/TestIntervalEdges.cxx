@@ -19,10 +19,10 @@ namespace pixelexact::testing
 namespace
 {
 /// The judge as a module.
-class Judged final : public FrameModule
+class Classified final : public FrameModule
 {
 public:
-  Judged(LayerValues values, int subdivisions)
+  Classified(LayerValues values, int subdivisions)
     : IsoValues(std::move(values))
     , Subdivisions(subdivisions)
   {
@@ -39,7 +39,7 @@ public:
     std::vector<std::uint8_t> own(
       static_cast<std::size_t>(area.Width()) * static_cast<std::size_t>(area.Height()));
     IntervalCounters ofTile;
-    JudgeByIntervals(tile, IsoValues, Subdivisions, own, ofTile);
+    ClassifyByIntervals(tile, IsoValues, Subdivisions, own, ofTile);
     const std::lock_guard lock(Mutex);
     counters.Add(ofTile);
     for (int y = 0; y < area.Height(); ++y)
@@ -72,10 +72,11 @@ CameraView MakeTiltedView()
   return view;
 }
 
-Judged& Judge(Judged& judged, const Scene& scene, const CameraView& view = MakeTiltedView())
+Classified& Classify(
+  Classified& classified, const Scene& scene, const CameraView& view = MakeTiltedView())
 {
-  Trace(scene, Camera(view, kIntervalWidth, kIntervalHeight), { {}, { &judged } });
-  return judged;
+  Trace(scene, Camera(view, kIntervalWidth, kIntervalHeight), { {}, { &classified } });
+  return classified;
 }
 
 using LongFunction = std::function<long double(const LongVec3&)>;
@@ -141,7 +142,7 @@ private:
 
 /// No pixel is Out of which samples bracket a value, none In of which none do.
 void ExpectNoneWrong(
-  const Judged& judged, const TrueEdges& truth, const std::vector<double>& values)
+  const Classified& classified, const TrueEdges& truth, const std::vector<double>& values)
 {
   // Of the block's coefficients and of values in doubles.
   constexpr long double kRounding = 1e-12L;
@@ -151,7 +152,7 @@ void ExpectNoneWrong(
     for (int x = 0; x < kIntervalWidth; ++x)
     {
       const auto verdict = static_cast<ContourVerdict>(
-        judged
+        classified
           .verdicts[static_cast<std::size_t>(y) * kIntervalWidth + static_cast<std::size_t>(x)]);
       const TrueRange range = truth.Of(x, y);
       const auto meets = [&](long double slack)
@@ -199,37 +200,37 @@ struct WavyBlock
 
   [[nodiscard]] Scene With(std::shared_ptr<const Surface> surface) const
   {
-    return { block.TheScene.locator, { { std::move(surface), &field } }, {} };
+    return { block.scene_.locator, { { std::move(surface), &field } }, {} };
   }
 };
 
-const WavyBlock& TheBlock()
+const WavyBlock& block_()
 {
   static const WavyBlock block(&Wavy);
   return block;
 }
-Scene TheCut()
+Scene cut_()
 {
-  return TheBlock().With(std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal));
+  return block_().With(std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal));
 }
 const std::vector<double> kValues{ -3.5, -2.0, -1.0, -0.25, 0.5 };
 } // namespace
 
 TEST(IntervalEdges, NoVerdictIsWrong)
 {
-  const Scene scene = TheCut();
+  const Scene scene = cut_();
   const TrueEdges truth(kPlaneOrigin, kPlaneNormal, &Wavy);
   std::int64_t undecided = 0;
   for (const int level : { 0, 1, 2, 3, 6 })
   {
     SCOPED_TRACE(level);
-    Judged judged({ kValues }, level);
-    ExpectNoneWrong(Judge(judged, scene), truth, kValues);
-    const IntervalCounters& counters = judged.counters;
+    Classified classified({ kValues }, level);
+    ExpectNoneWrong(Classify(classified, scene), truth, kValues);
+    const IntervalCounters& counters = classified.counters;
     EXPECT_GT(counters.out, 100);
     EXPECT_GT(counters.in, 200);
     EXPECT_EQ(
-      std::ranges::count(judged.verdicts, static_cast<std::uint8_t>(ContourVerdict::Undecided)),
+      std::ranges::count(classified.verdicts, static_cast<std::uint8_t>(ContourVerdict::Undecided)),
       counters.undecided);
     EXPECT_EQ(counters.undecided, counters.undecidedAfter[static_cast<std::size_t>(level)]);
     EXPECT_TRUE(level == 0 || counters.undecided < undecided);
@@ -240,30 +241,30 @@ TEST(IntervalEdges, NoVerdictIsWrong)
 /// A level tells what a run with so many subdivisions ends with.
 TEST(IntervalEdges, LevelsAreThoseOfShorterRuns)
 {
-  const Scene scene = TheCut();
-  Judged deep({ kValues }, 4);
-  Judge(deep, scene);
+  const Scene scene = cut_();
+  Classified deep({ kValues }, 4);
+  Classify(deep, scene);
   std::int64_t in = 0;
   for (int level = 0; level <= 4; ++level)
   {
-    Judged judged({ kValues }, level);
-    Judge(judged, scene);
+    Classified classified({ kValues }, level);
+    Classify(classified, scene);
     const auto at = static_cast<std::size_t>(level);
     in += deep.counters.inAt[at];
-    EXPECT_EQ(judged.counters.in, in);
-    EXPECT_EQ(judged.counters.undecided, deep.counters.undecidedAfter[at]);
-    EXPECT_EQ(judged.counters.unproven, deep.counters.unprovenAfter[at]);
+    EXPECT_EQ(classified.counters.in, in);
+    EXPECT_EQ(classified.counters.undecided, deep.counters.undecidedAfter[at]);
+    EXPECT_EQ(classified.counters.unproven, deep.counters.unprovenAfter[at]);
   }
 }
 
 /// A pixel's verdict is the same at a tile's border and within a tile.
 TEST(IntervalEdges, TilesChangeNothing)
 {
-  const Scene scene = TheCut();
+  const Scene scene = cut_();
   const Camera camera(MakeTiltedView(), kIntervalWidth, kIntervalHeight);
-  Judged whole({ kValues }, 3);
-  Judge(whole, scene);
-  Judged other({ kValues }, 3);
+  Classified whole({ kValues }, 3);
+  Classify(whole, scene);
+  Classified other({ kValues }, 3);
   const Pipeline pipeline{ {}, { &other } };
   Frame frame;
   frame.width = kIntervalWidth;
@@ -280,12 +281,12 @@ TEST(IntervalEdges, TilesChangeNothing)
 
 TEST(IntervalEdges, NoVerdictIsWrongWherePartsAreCutAway)
 {
-  Scene scene = TheCut();
+  Scene scene = cut_();
   scene.kept = { { 1.0, 0.5, 0.0, 0.3 }, { -0.2, -1.0, 0.1, 0.45 } };
-  Judged judged({ kValues }, 3);
+  Classified classified({ kValues }, 3);
   ExpectNoneWrong(
-    Judge(judged, scene), TrueEdges(kPlaneOrigin, kPlaneNormal, &Wavy, scene.kept), kValues);
-  EXPECT_GT(judged.counters.out, 100);
+    Classify(classified, scene), TrueEdges(kPlaneOrigin, kPlaneNormal, &Wavy, scene.kept), kValues);
+  EXPECT_GT(classified.counters.out, 100);
 }
 
 /// Figure 3 of the paper: a thin strip that passes between the corners. They say nothing, the
@@ -307,12 +308,12 @@ TEST(IntervalEdges, FindsWhatCornersMiss)
   // A pixel is 0.05 wide, the strip of values below 0.0012 ^ 2 is 0.0024 wide, and 0.31 lies a
   // fifth of a pixel beyond a corner.
   const LayerValues values{ { 0.0012 * 0.0012 } };
-  Judged corners(values, 0);
-  Judge(corners, scene, view);
+  Classified corners(values, 0);
+  Classify(corners, scene, view);
   EXPECT_EQ(corners.counters.in, 0);
   EXPECT_GT(corners.counters.undecided, 30);
-  Judged deep(values, 6);
-  Judge(deep, scene, view);
+  Classified deep(values, 6);
+  Classify(deep, scene, view);
   EXPECT_GE(deep.counters.in, 36);
   // And nothing but the strip's own column, and those beside faces.
   EXPECT_LT(deep.counters.in, 45);
@@ -321,15 +322,15 @@ TEST(IntervalEdges, FindsWhatCornersMiss)
 /// What is beside the mesh is told, not guessed: all around the cut is Out.
 TEST(IntervalEdges, TellsWhatIsBesideTheMesh)
 {
-  const Scene scene = TheCut();
-  Judged judged({ { 1e3 } }, 3);
-  Judge(judged, scene);
-  EXPECT_EQ(judged.counters.in, 0);
-  EXPECT_EQ(judged.verdicts.front(), static_cast<std::uint8_t>(ContourVerdict::Out));
+  const Scene scene = cut_();
+  Classified classified({ { 1e3 } }, 3);
+  Classify(classified, scene);
+  EXPECT_EQ(classified.counters.in, 0);
+  EXPECT_EQ(classified.verdicts.front(), static_cast<std::uint8_t>(ContourVerdict::Out));
   // Left are the pixels that an element's face crosses, the outline among them.
-  EXPECT_EQ(judged.counters.undecided, judged.counters.unproven);
-  EXPECT_LT(judged.counters.undecided, 300);
-  EXPECT_GT(judged.counters.undecided, 100);
+  EXPECT_EQ(classified.counters.undecided, classified.counters.unproven);
+  EXPECT_LT(classified.counters.undecided, 300);
+  EXPECT_GT(classified.counters.undecided, 100);
 }
 
 /// Along the plane, the upper half of the image sees none of it.
@@ -339,43 +340,43 @@ TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
   view.position = { 0.0, -4.0, 0.5 };
   view.focalPoint = { 0.0, 0.0, 0.5 };
   view.viewUp = { 0.0, 0.0, 1.0 };
-  const Scene scene = TheBlock().With(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)));
-  Judged judged({ { 1e3 } }, 1);
-  Judge(judged, scene, view);
+  const Scene scene = block_().With(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)));
+  Classified classified({ { 1e3 } }, 1);
+  Classify(classified, scene, view);
   const auto out = static_cast<std::uint8_t>(ContourVerdict::Out);
   EXPECT_EQ(std::ranges::count(
-              std::span(judged.verdicts).last(kIntervalWidth * (kIntervalHeight / 2 - 1)), out),
+              std::span(classified.verdicts).last(kIntervalWidth * (kIntervalHeight / 2 - 1)), out),
     kIntervalWidth * (kIntervalHeight / 2 - 1));
   // On faces of the block, which are flat along the plane.
-  EXPECT_GT(judged.counters.out, 100);
+  EXPECT_GT(classified.counters.out, 100);
 }
 
 /// A chord is no curve: on other surfaces and behind each other nothing is Out.
 TEST(IntervalEdges, SaysNothingOfCurvedSurfacesAndSeveralLayers)
 {
-  const Scene ball = TheBlock().With(std::make_shared<Quadric>(MakeSphere(Vec3(0.0), 0.8)));
-  Judged onBall({ kValues }, 1);
-  Judge(onBall, ball);
+  const Scene ball = block_().With(std::make_shared<Quadric>(MakeSphere(Vec3(0.0), 0.8)));
+  Classified onBall({ kValues }, 1);
+  Classify(onBall, ball);
   EXPECT_GT(onBall.counters.in, 50);
   EXPECT_EQ(onBall.counters.out, 0);
   EXPECT_EQ(onBall.counters.undecided, onBall.counters.unproven);
 
-  Scene planes = TheCut();
+  Scene planes = cut_();
   planes.layers.push_back(
-    { std::make_shared<Plane>(Vec3(0.0), Vec3(1.0, 0.0, 0.3)), &TheBlock().field });
-  Judged onPlanes({ kValues, {} }, 1);
-  Judge(onPlanes, planes);
+    { std::make_shared<Plane>(Vec3(0.0), Vec3(1.0, 0.0, 0.3)), &block_().field });
+  Classified onPlanes({ kValues, {} }, 1);
+  Classify(onPlanes, planes);
   EXPECT_GT(onPlanes.counters.in, 50);
   EXPECT_EQ(onPlanes.counters.out, 0);
 }
 
 TEST(IntervalEdges, WithoutValuesAllIsOut)
 {
-  const Scene scene = TheCut();
-  Judged judged({ {} }, 2);
-  Judge(judged, scene);
-  EXPECT_EQ(judged.counters.in + judged.counters.undecided, 0);
-  EXPECT_GT(judged.counters.out, 1000);
+  const Scene scene = cut_();
+  Classified classified({ {} }, 2);
+  Classify(classified, scene);
+  EXPECT_EQ(classified.counters.in + classified.counters.undecided, 0);
+  EXPECT_GT(classified.counters.out, 1000);
 }
 
 /// The second component is NaN in the first element: there nothing is known.
@@ -384,21 +385,21 @@ TEST(IntervalEdges, NanIsUndecided)
   Block block;
   Scene& scene = block.WithPlane(kPlaneOrigin, kPlaneNormal);
   scene.layers.front().component = 1;
-  Judged judged({ { 0.5 } }, 2);
-  Judge(judged, scene);
-  EXPECT_EQ(judged.counters.in, 0);
-  EXPECT_GT(judged.counters.undecided, 150);
-  EXPECT_GT(judged.counters.out, 300);
+  Classified classified({ { 0.5 } }, 2);
+  Classify(classified, scene);
+  EXPECT_EQ(classified.counters.in, 0);
+  EXPECT_GT(classified.counters.undecided, 150);
+  EXPECT_GT(classified.counters.out, 300);
 }
 
 TEST(IntervalEdges, RefusesWhatItCannotDo)
 {
   const auto messageOf = [](const LayerValues& values, int subdivisions)
   {
-    Judged judged(values, subdivisions);
+    Classified classified(values, subdivisions);
     try
     {
-      Judge(judged, TheCut());
+      Classify(classified, cut_());
     }
     catch (const Error& error)
     {

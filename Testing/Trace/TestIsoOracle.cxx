@@ -258,7 +258,7 @@ class Along
 public:
   Along(const Element& one, int component, double value)
     : One(one)
-    , TheMesh(one.mesh.View())
+    , mesh_(one.mesh.View())
     , Component(component)
     , Value(value)
   {
@@ -308,8 +308,8 @@ private:
     for (int step = 0; step < 20; ++step)
     {
       Vec3 at;
-      MapForward(TheMesh, 0, std::span(&xi, 1), std::span(&at, 1));
-      const auto columns = Jacobians(TheMesh, 0, LaneBuffer(std::span(&xi, 1)).View());
+      MapForward(mesh_, 0, std::span(&xi, 1), std::span(&at, 1));
+      const auto columns = Jacobians(mesh_, 0, LaneBuffer(std::span(&xi, 1)).View());
       const Vec3 delta = glm::inverse(columns[0]) * (at - x);
       xi -= delta;
       if (glm::length(delta) < 1e-13)
@@ -327,7 +327,7 @@ private:
   {
     std::vector<double> u(static_cast<std::size_t>(One.field.values.components));
     std::vector<double> by(3 * u.size());
-    EvaluateAt(TheMesh, One.field, 0, std::span(&xi, 1), u, by);
+    EvaluateAt(mesh_, One.field, 0, std::span(&xi, 1), u, by);
     if (Component != kMagnitude)
     {
       return u[static_cast<std::size_t>(Component)] - Value;
@@ -341,7 +341,7 @@ private:
   }
 
   const Element& One;
-  Mesh TheMesh;
+  Mesh mesh_;
   int Component;
   double Value;
 };

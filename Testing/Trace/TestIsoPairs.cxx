@@ -234,7 +234,7 @@ TEST(IsoPairs, WhatIsNotKeptIsMadeEachTime)
         MeetWith(*other.iso, Picture({ 0.61, -0.5, 0.4 }, 16), kRayWork));
       EXPECT_EQ(PartTree::BytesKept(), bytes);
     }
-    PartTree::SetMostBytes(PartTree::kMostBytes);
+    PartTree::SetMostBytes(PartTree::kMaxBytes);
   }
   EXPECT_EQ(PartTree::BytesKept(), before);
 }
@@ -243,8 +243,8 @@ TEST(IsoPairs, TheWorkOfARayIsItsShareOfThePicture)
 {
   EXPECT_EQ(WorkOfRay(1, 1, 1), kRayWork);
   EXPECT_EQ(WorkOfRay(300, 300, 1), kFrameWork / 90'000);
-  EXPECT_EQ(WorkOfRay(300, 300, 4), kLeastRayWork);
-  EXPECT_EQ(WorkOfRay(100'000, 100'000, 255), kLeastRayWork);
+  EXPECT_EQ(WorkOfRay(300, 300, 4), kMinRayWork);
+  EXPECT_EQ(WorkOfRay(100'000, 100'000, 255), kMinRayWork);
   EXPECT_EQ(WorkOfRay(0, 0, 0), kRayWork);
 }
 } // namespace pixelexact::testing

@@ -29,7 +29,7 @@ TwoBlocks::Function MakeSlope(double jump)
 
 JumpWalls WallsOf(const TwoBlocks& blocks, int component, double value)
 {
-  return { *blocks.TheLocator, *blocks.Table, blocks.TheField, component, value };
+  return { *blocks.locator_, *blocks.Table, blocks.field_, component, value };
 }
 
 /// Of each ray along x the one hit, where `isWall` says so.
@@ -69,8 +69,8 @@ TEST(JumpWalls, ConstantsHaveOneBetween)
   EXPECT_EQ(walls.Parts(), 1);
   ExpectWalls(walls, 0, [](double, double) { return true; });
   // The value itself is nowhere.
-  EXPECT_THROW(IsoSurface(blocks.TheLocator->Index(), blocks.TheField, 0, 0.5), Error);
-  const IsoSurface none(blocks.TheLocator->Index(), blocks.TheField, 0, 0.5, true);
+  EXPECT_THROW(IsoSurface(blocks.locator_->Index(), blocks.field_, 0, 0.5), Error);
+  const IsoSurface none(blocks.locator_->Index(), blocks.field_, 0, 0.5, true);
   EXPECT_TRUE(HitsOf(none, TwoBlocks::RayAt(0.1, 0.2)).empty());
 }
 
@@ -125,7 +125,7 @@ TEST(JumpWalls, OfFacesOfOtherSizesThereIsWhatBothHave)
 TEST(JumpWalls, MappedFieldsAreRefused)
 {
   TwoBlocks blocks(1.0, { Constant(0.0, 1.0) });
-  blocks.TheField.mapping = Mapping::Density;
+  blocks.field_.mapping = Mapping::Density;
   EXPECT_THROW(WallsOf(blocks, 0, 0.5), Unsupported);
 }
 } // namespace pixelexact::testing

@@ -189,12 +189,12 @@ TEST(Layers, HitsAreCountedAsRaysComeToThem)
   }
   const Camera camera = ViewAlongZ(20, 20, 0.9);
   const auto counters = [&]
-  { return Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer }).counters; };
+  { return Trace(block.scene_, camera, {}, { .centres = kAllWithLayer }).counters; };
   const FrameCounters opaque = counters();
   EXPECT_EQ(opaque.rays, 400);
   EXPECT_EQ(opaque.surfaceHits, 3 * 400);
   EXPECT_EQ(opaque.exact, 400);
-  block.TheScene.layers[2].translucent = true;
+  block.scene_.layers[2].translucent = true;
   const FrameCounters through = counters();
   EXPECT_EQ(through.rays, 400);
   EXPECT_EQ(through.surfaceHits, 4 * 400);
@@ -209,7 +209,7 @@ TEST(Layers, ValuesThatAreNotANumberAreSheetsToo)
   // The second component is NaN in the first element, which is below zero everywhere.
   block.WithPlane({ 0.0, 0.0, -0.3 }, { 0.0, 0.0, 1.0 });
   block.WithPlane({ 0.0, 0.0, -0.6 }, { 0.0, 0.0, 1.0 });
-  Scene& scene = block.TheScene;
+  Scene& scene = block.scene_;
   scene.layers[0].component = scene.layers[1].component = 1;
   scene.layers[0].translucent = true;
   const Frame frame = Trace(scene, ViewAlongZ(40, 40, 0.9), {}, { .centres = kAllWithLayer });
@@ -235,24 +235,24 @@ TEST(Layers, MoreSheetsThanAreKeptAreCounted)
   Block block;
   const auto with = [&](int planes)
   {
-    block.TheScene.layers.clear();
+    block.scene_.layers.clear();
     for (int k = 0; k < planes; ++k)
     {
       // Half of each in the mesh, the nearest last.
       block.WithPlane({ 0.0, 0.0, -0.95 + 0.02 * k }, { 0.0, 0.0, 1.0 }).layers.back().translucent =
         true;
     }
-    return Trace(block.TheScene, ViewAlongZ(12, 10, 1.25), {}, { .centres = kAllWithLayer });
+    return Trace(block.scene_, ViewAlongZ(12, 10, 1.25), {}, { .centres = kAllWithLayer });
   };
-  constexpr int kMost = Sheets::kMax;
-  for (const int planes : { kMost - 1, kMost, kMost + 1, kMost + 20 })
+  constexpr int kMax = Sheets::kMax;
+  for (const int planes : { kMax - 1, kMax, kMax + 1, kMax + 20 })
   {
     SCOPED_TRACE(planes);
     const Frame frame = with(planes);
     EXPECT_GT(frame.counters.exact, 50);
-    EXPECT_EQ(frame.counters.cutOff, planes > kMost ? frame.counters.exact : 0);
+    EXPECT_EQ(frame.counters.cutOff, planes > kMax ? frame.counters.exact : 0);
     const auto sheets = SheetsOf(frame.centres);
-    ASSERT_EQ(sheets.size(), static_cast<std::size_t>(std::min(planes, kMost)));
+    ASSERT_EQ(sheets.size(), static_cast<std::size_t>(std::min(planes, kMax)));
     for (std::size_t k = 0; k < sheets.size(); ++k)
     {
       for (std::size_t i = 0; i < frame.centres.Size(); ++i)
@@ -273,10 +273,10 @@ TEST(Layers, AsManyAsANumberOfThemCanTell)
     // All but the last beside the mesh.
     block.WithPlane({ 0.0, 0.0, k < 254 ? 2.0 : 0.0 }, { 0.0, 0.0, 1.0 });
   }
-  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
+  const Frame frame = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(std::ranges::count(frame.centres.layer, 254), 16);
   block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
-  EXPECT_THROW((void)Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer }), Error);
+  EXPECT_THROW((void)Trace(block.scene_, camera, {}, { .centres = kAllWithLayer }), Error);
 }
 
 TEST(Layers, SheetsAreTheSameForAnyNumberOfThreads)

@@ -17,7 +17,7 @@ namespace pixelexact::testing
 TEST(LinearFaces, LinearFieldsOnFlatFacesLoseNothing)
 {
   Block block;
-  const Mesh& mesh = block.TheScene.locator->GetMesh();
+  const Mesh& mesh = block.scene_.locator->GetMesh();
   // The faces at z = 1, whose elements are bent along it.
   std::vector<ElementFace> faces;
   for (int element = 4; element < 8; ++element)
@@ -30,7 +30,7 @@ TEST(LinearFaces, LinearFieldsOnFlatFacesLoseNothing)
   const Camera camera = ViewAlongZ(kWidth, kHeight);
   for (const int parts : { 1, 3, 8 })
   {
-    const LinearSurface surface = TrianglesOfFaces(mesh, block.TheField, 0, faces, parts);
+    const LinearSurface surface = TrianglesOfFaces(mesh, block.field_, 0, faces, parts);
     EXPECT_EQ(surface.Count(), static_cast<std::size_t>(4 * 2 * parts * parts));
     EXPECT_EQ(surface.Count(), CountTriangles(mesh, faces, parts));
     const std::vector<double> values = surface.Trace(camera, false);

@@ -50,9 +50,9 @@ TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
   Block block;
   const auto surface = std::make_shared<Stack>();
   surface->levels = { { 2.5 }, { 1.5 }, { 0.9 }, { 0.1 }, { -0.5 }, { -1.5 }, { -2.0 } };
-  block.TheScene.layers = { MakeLayer(surface, block.TheField, true) };
+  block.scene_.layers = { MakeLayer(surface, block.field_, true) };
   const Camera camera = ViewAlongZ(33, 29, 0.95);
-  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
+  const Frame frame = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
   const auto sheets = SheetsOf(frame.centres);
   ASSERT_EQ(sheets.size(), 3U);
   int seen = 0;
@@ -70,8 +70,8 @@ TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
   EXPECT_EQ(frame.counters.exact, seen);
   // Beside the cube rays come to all, and so do they through it.
   EXPECT_EQ(frame.counters.surfaceHits, 7 * 33 * 29);
-  block.TheScene.layers[0].translucent = false;
-  const Frame opaque = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
+  block.scene_.layers[0].translucent = false;
+  const Frame opaque = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(opaque.counters.surfaceHits, 3 * seen + 7 * (33 * 29 - seen));
   EXPECT_TRUE(SameBytes(opaque.centres.value, frame.centres.value));
   EXPECT_TRUE(opaque.centres.behind.empty());
@@ -84,8 +84,8 @@ TEST(ManyHits, WhatIsKnownOfHits)
   surface->levels = { { 1.5, HitStatus::Undecided }, { 1.2, HitStatus::Numeric },
     { 0.5, HitStatus::Numeric }, { 0.2, HitStatus::Undecided }, { -0.3 } };
   const Camera camera = ViewAlongZ(20, 20, 0.9);
-  block.TheScene.layers = { MakeLayer(surface, block.TheField, true) };
-  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
+  block.scene_.layers = { MakeLayer(surface, block.field_, true) };
+  const Frame frame = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
   const auto sheets = SheetsOf(frame.centres);
   // Outside of the mesh nothing is, decided or not.
   ASSERT_EQ(sheets.size(), 3U);
@@ -108,8 +108,8 @@ TEST(ManyHits, WhatIsKnownOfHits)
 
   // The first that is seen of an opaque one, and it ends there.
   surface->levels.erase(surface->levels.begin() + 2);
-  block.TheScene.layers[0].translucent = false;
-  const Frame opaque = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
+  block.scene_.layers[0].translucent = false;
+  const Frame opaque = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(opaque.counters.unknown, 400);
   EXPECT_EQ(opaque.counters.exact, 0);
   EXPECT_EQ(opaque.counters.numericHits, 0);
@@ -118,9 +118,9 @@ TEST(ManyHits, WhatIsKnownOfHits)
   EXPECT_EQ(opaque.counters.surfaceHits, 3 * 400);
 
   // What is not seen is not counted.
-  block.TheScene.layers.insert(block.TheScene.layers.begin(),
-    MakeLayer(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.8), Vec3(0.0, 0.0, 1.0)), block.TheField));
-  const Frame hidden = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
+  block.scene_.layers.insert(block.scene_.layers.begin(),
+    MakeLayer(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.8), Vec3(0.0, 0.0, 1.0)), block.field_));
+  const Frame hidden = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(hidden.counters.exact, 400);
   EXPECT_EQ(hidden.counters.undecidedHits, 0);
 }

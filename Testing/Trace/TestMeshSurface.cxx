@@ -22,9 +22,9 @@ public:
       Elements.Add(space, map);
       Values.Add(space, [e](const LongVec3& xi, long double* u) { u[0] = ValueAt(e, Map(e, xi)); });
     }
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
-    TheScene.locator = TheLocator.get();
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
+    scene_.locator = locator_.get();
   }
 
   static long double Bump(long double x, long double y) { return 0.1L * x * y + 0.05L * y * y; }
@@ -37,16 +37,16 @@ public:
   {
     return e == 0 ? 1 + x[0] + x[2] : 100 + x[0] * x[1];
   }
-  [[nodiscard]] std::int64_t Queries() const { return TheLocator->Counters().queries; }
-  [[nodiscard]] const Mesh& GetMesh() const { return TheLocator->GetMesh(); }
+  [[nodiscard]] std::int64_t Queries() const { return locator_->Counters().queries; }
+  [[nodiscard]] const Mesh& GetMesh() const { return locator_->GetMesh(); }
 
-  Field TheField;
-  Scene TheScene;
+  Field field_;
+  Scene scene_;
 
 private:
   MeshBuilder Elements;
   ExpansionBuilder Values{ 1 };
-  std::unique_ptr<Locator> TheLocator;
+  std::unique_ptr<Locator> locator_;
 };
 
 /// The sheets xi_2 = const of a pair's elements, seen along -z.
@@ -117,11 +117,11 @@ TEST(MeshSurface, IsNotLocated)
   ElementPair pair;
   const auto surface = std::make_shared<IsoSheets>();
   surface->levels = { 0.25 };
-  pair.TheScene.layers.push_back(MakeLayer(surface, pair.TheField));
+  pair.scene_.layers.push_back(MakeLayer(surface, pair.field_));
   const Camera camera = AlongZ();
   const std::int64_t before = pair.Queries();
   const Frame frame =
-    Trace(pair.TheScene, camera, {}, { .centres = kAllWithLayer | Buffer::Enclosure });
+    Trace(pair.scene_, camera, {}, { .centres = kAllWithLayer | Buffer::Enclosure });
   EXPECT_EQ(pair.Queries(), before);
   int exact = 0;
   int between = 0;
@@ -163,9 +163,9 @@ TEST(MeshSurface, IsNotLocated)
 
   // A plane in the same place is located, and its points there belong to the first element.
   ElementPair located;
-  located.TheScene.layers.push_back(
-    MakeLayer(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)), located.TheField));
-  const Frame other = Trace(located.TheScene, camera, {}, { .centres = kAllWithLayer });
+  located.scene_.layers.push_back(
+    MakeLayer(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)), located.field_));
+  const Frame other = Trace(located.scene_, camera, {}, { .centres = kAllWithLayer });
   EXPECT_GT(located.Queries(), 0);
   EXPECT_EQ(other.centres.element[static_cast<std::size_t>(15 * kSurfaceWidth + 25)], 0);
   EXPECT_EQ(frame.centres.element[static_cast<std::size_t>(15 * kSurfaceWidth + 25)], 1);
@@ -178,8 +178,8 @@ TEST(MeshSurface, SevenSheetsInOrder)
   surface->levels = { 0.9, 0.6, 0.3, 0.0, -0.3, -0.6, -0.9 };
   for (const bool translucent : { false, true })
   {
-    pair.TheScene.layers = { MakeLayer(surface, pair.TheField, translucent) };
-    const Frame frame = Trace(pair.TheScene, AlongZ(), {}, { .centres = kAllWithLayer });
+    pair.scene_.layers = { MakeLayer(surface, pair.field_, translucent) };
+    const Frame frame = Trace(pair.scene_, AlongZ(), {}, { .centres = kAllWithLayer });
     const auto sheets = SheetsOf(frame.centres);
     ASSERT_EQ(sheets.size(), translucent ? 7U : 1U);
     for (std::size_t k = 0; k < sheets.size(); ++k)
@@ -211,13 +211,13 @@ TEST(MeshSurface, AmongOthers)
   for (const bool planeFirst : { false, true })
   {
     ElementPair pair;
-    pair.TheScene.layers = { MakeLayer(surface, pair.TheField, true),
-      MakeLayer(plane, pair.TheField, true) };
+    pair.scene_.layers = { MakeLayer(surface, pair.field_, true),
+      MakeLayer(plane, pair.field_, true) };
     if (planeFirst)
     {
-      std::swap(pair.TheScene.layers[0], pair.TheScene.layers[1]);
+      std::swap(pair.scene_.layers[0], pair.scene_.layers[1]);
     }
-    const Frame frame = Trace(pair.TheScene, AlongZ(), {}, { .centres = kAllWithLayer });
+    const Frame frame = Trace(pair.scene_, AlongZ(), {}, { .centres = kAllWithLayer });
     const auto sheets = SheetsOf(frame.centres);
     ASSERT_EQ(sheets.size(), 3U);
     int of[2] = {};

@@ -31,7 +31,7 @@ ElementFaces MakeBoundary(const TwoBlocks& blocks)
       }
     }
   }
-  return { *blocks.TheLocator, faces, partly };
+  return { *blocks.locator_, faces, partly };
 }
 } // namespace
 

@@ -24,10 +24,10 @@ void ForEachCurved(const CurvedPiece& piece, const Visit& visit)
   {
     visit(piece);
   }
-  if (const auto* const halves = piece.children.load())
+  if (const auto* const children = piece.children.load())
   {
-    ForEachCurved((*halves)[0], visit);
-    ForEachCurved((*halves)[1], visit);
+    ForEachCurved((*children)[0], visit);
+    ForEachCurved((*children)[1], visit);
   }
 }
 

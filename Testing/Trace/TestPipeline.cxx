@@ -24,7 +24,7 @@ public:
 
   Asking(const SampleNeeds& needs, Ask ask)
     : Wanted(needs)
-    , TheAsk(std::move(ask))
+    , ask_(std::move(ask))
   {
   }
   [[nodiscard]] SampleNeeds Needs() const override { return Wanted; }
@@ -36,7 +36,7 @@ public:
   void Process(TileVisit& tile) override
   {
     const std::scoped_lock lock(OneAtATime);
-    TheAsk(tile);
+    ask_(tile);
   }
 
   int frames = 0;
@@ -44,7 +44,7 @@ public:
 
 private:
   SampleNeeds Wanted;
-  Ask TheAsk;
+  Ask ask_;
   std::mutex OneAtATime;
 };
 
@@ -110,7 +110,7 @@ TEST_P(Pipelines, GiveEachTileOnce)
         EXPECT_EQ(tile.Counters().rays, 0);
       });
     const Frame frame =
-      Trace(scene.TheScene, Camera(ObliqueView(), width, height), { {}, { &module } });
+      Trace(scene.scene_, Camera(ObliqueView(), width, height), { {}, { &module } });
     std::multiset<std::array<int, 4>> expected;
     for (int y = 0; y < height; y += kTileSize)
     {
@@ -132,7 +132,7 @@ TEST_P(Pipelines, GiveTheCornersThatAFrameHas)
 {
   const LayeredScene scene(GetParam().translucent);
   const Camera camera(ObliqueView(), 71, 45);
-  const Frame wanted = Trace(scene.TheScene, camera, {}, { .corners = kAllWithLayer });
+  const Frame wanted = Trace(scene.scene_, camera, {}, { .corners = kAllWithLayer });
   EXPECT_EQ(wanted.corners.behind.empty(), !GetParam().translucent);
   std::int64_t rays = 0;
   Asking module({ .corners = kAllWithLayer },
@@ -155,7 +155,7 @@ TEST_P(Pipelines, GiveTheCornersThatAFrameHas)
       EXPECT_EQ(tile.Counters().rays, static_cast<std::int64_t>(corners.Size()));
       rays += static_cast<std::int64_t>(corners.Size());
     });
-  const Frame frame = Trace(scene.TheScene, camera, { {}, { &module, &module } });
+  const Frame frame = Trace(scene.scene_, camera, { {}, { &module, &module } });
   EXPECT_EQ(frame.counters.rays, 71 * 45 + rays / 2);
   EXPECT_EQ(frame.corners.Size(), 0U);
   // Corners are no pixels.
@@ -166,7 +166,7 @@ TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
 {
   const LayeredScene scene(GetParam().translucent);
   const Camera camera(ObliqueView(), 71, 45);
-  const Frame wanted = Trace(scene.TheScene, camera, {}, { .centres = kAllWithLayer });
+  const Frame wanted = Trace(scene.scene_, camera, {}, { .centres = kAllWithLayer });
   int visits = 0;
   Asking module({ .centres = Buffer::Depth, .welcome = kAllWithLayer },
     [&](TileVisit& tile)
@@ -185,7 +185,7 @@ TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
       EXPECT_EQ(tile.Counters().rays, 0);
       ++visits;
     });
-  Frame frame = Trace(scene.TheScene, camera, { {}, { &module } });
+  Frame frame = Trace(scene.scene_, camera, { {}, { &module } });
   EXPECT_EQ(visits, 6);
   EXPECT_EQ(frame.counters.rays, 71 * 45);
   EXPECT_EQ(frame.counters.exact, wanted.counters.exact);
@@ -195,7 +195,7 @@ TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
   // Where they are not there, they are not traced.
   Asking again({ .welcome = kAllWithLayer },
     [&](TileVisit& tile) { EXPECT_EQ(tile.Centres().has_value(), GetParam().translucent); });
-  Repaint(scene.TheScene, camera, { {}, { &again } }, frame);
+  Repaint(scene.scene_, camera, { {}, { &again } }, frame);
   EXPECT_EQ(frame.counters.rays, 71 * 45);
 }
 
@@ -206,8 +206,8 @@ TEST_P(Pipelines, TraceSamplesAnywhere)
   constexpr int kFine = 8;
   constexpr int kWidth = 37;
   constexpr int kHeight = 34;
-  const Frame fine = Trace(scene.TheScene, Camera(ObliqueView(), kFine * kWidth, kFine * kHeight),
-    {}, { .centres = kAllWithLayer });
+  const Frame fine = Trace(scene.scene_, Camera(ObliqueView(), kFine * kWidth, kFine * kHeight), {},
+    { .centres = kAllWithLayer });
   Random random(3);
   Asking module({},
     [&](TileVisit& tile)
@@ -243,7 +243,7 @@ TEST_P(Pipelines, TraceSamplesAnywhere)
       EXPECT_EQ(tile.Trace({}, kAllWithLayer).Size(), 0U);
     });
   const Frame frame =
-    Trace(scene.TheScene, Camera(ObliqueView(), kWidth, kHeight), { {}, { &module } });
+    Trace(scene.scene_, Camera(ObliqueView(), kWidth, kHeight), { {}, { &module } });
   EXPECT_EQ(frame.counters.rays, kWidth * kHeight + 4 * 709);
   EXPECT_EQ(frame.counters.exact + frame.counters.nothing, kWidth * kHeight);
 }

@@ -66,7 +66,7 @@ struct Shown
 {
   Shown(std::shared_ptr<const Surface> surface,
     const std::function<long double(const LongVec3& x)>& value)
-    : scene(block.TheScene)
+    : scene(block.scene_)
   {
     const Field& field = block.Add(1, [&](const LongVec3& x, long double* u) { u[0] = value(x); });
     scene.layers = { { std::move(surface), &field } };
@@ -132,7 +132,7 @@ TEST(PixelInteriors, TwoLoops)
         { u[0] = SquaredDistance(Block::Map(e, xi), least[e & 1]); });
     }
     const Field field{ "two", values.View() };
-    const Scene scene{ block.TheScene.locator, { { surface, &field } }, {} };
+    const Scene scene{ block.scene_.locator, { { surface, &field } }, {} };
     const PixelResult told =
       CertifyPixels(scene, view, { SquareOf(*surface, view, 32.0, 34.0, 0.05) });
     const bool areInOne = apart < 1.0;
@@ -245,7 +245,7 @@ TEST(PixelInteriors, JumpsInsideAreIn)
       [e](const LongVec3& /*xi*/, long double* u) { u[0] = e & 1; });
   }
   const Field field{ "jump", values.View() };
-  const Scene scene{ block.TheScene.locator,
+  const Scene scene{ block.scene_.locator,
     { { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.3), Vec3(0.0, 0.0, 1.0)), &field } }, {} };
   CameraView view;
   view.position = { 0.0, 0.0, 10.0 };

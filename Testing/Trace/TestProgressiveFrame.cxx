@@ -33,20 +33,20 @@ public:
         const LongVec3 x = map(xi);
         u[0] = x[0] * x[1] + x[2];
       });
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
-    TheScene.locator = TheLocator.get();
-    TheScene.layers.push_back(
-      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)), &TheField });
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Elements.View());
+    scene_.locator = locator_.get();
+    scene_.layers.push_back(
+      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)), &field_ });
   }
 
-  Scene TheScene;
+  Scene scene_;
 
 private:
-  Field TheField;
+  Field field_;
   MeshBuilder Elements;
   ExpansionBuilder Values{ 1 };
-  std::unique_ptr<Locator> TheLocator;
+  std::unique_ptr<Locator> locator_;
 };
 
 Camera MakeCubeView(int width, int height)
@@ -83,8 +83,8 @@ TEST(ProgressiveFrame, EndsAsAFrameMadeAtOnce)
   for (const auto& [width, height] : { std::pair(93, 71), std::pair(256, 160), std::pair(5, 3) })
   {
     const Camera camera = MakeCubeView(width, height);
-    const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
+    const Frame wanted = Trace(cube.scene_, camera, {}, { .centres = kAllWithCoverage });
+    ProgressiveFrame frame(cube.scene_, camera, {}, kAllWithCoverage);
     EXPECT_EQ(frame.Step(), 0);
     for (const int step : { 16, 4, 1 })
     {
@@ -102,14 +102,14 @@ TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
 {
   const CurvedCube cube;
   const Camera camera = MakeCubeView(93, 71);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
+  const Frame wanted = Trace(cube.scene_, camera, {}, { .centres = kAllWithCoverage });
   for (int passes = 0; passes <= 3; ++passes)
   {
     // In the memory of another frame.
-    Frame spare = Trace(cube.TheScene, MakeCubeView(120, 90), {},
+    Frame spare = Trace(cube.scene_, MakeCubeView(120, 90), {},
       { .centres = kAllWithCoverage, .corners = kAllWithCoverage });
     ProgressiveFrame frame(
-      cube.TheScene, camera, {}, kAllWithCoverage, Buffer::None, std::move(spare));
+      cube.scene_, camera, {}, kAllWithCoverage, Buffer::None, std::move(spare));
     for (int pass = 0; pass < passes; ++pass)
     {
       ASSERT_TRUE(frame.Refine());
@@ -124,11 +124,11 @@ TEST(ProgressiveFrame, PassesGoOnWhereTheyWereEnded)
 {
   const CurvedCube cube;
   const Camera camera = MakeCubeView(193, 171);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
+  const Frame wanted = Trace(cube.scene_, camera, {}, { .centres = kAllWithCoverage });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   for (const bool byTime : { false, true })
   {
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
+    ProgressiveFrame frame(cube.scene_, camera, {}, kAllWithCoverage);
     frame.GoTo(1);
     // Six by seven tiles, one by one.
     for (int tile = 1; tile < 6 * 7; ++tile)
@@ -152,11 +152,11 @@ TEST(ProgressiveFrame, ACoarseFrameMayBeMadeBesideAFineOne)
 {
   const CurvedCube cube;
   const Camera camera = MakeCubeView(193, 171);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
+  const Frame wanted = Trace(cube.scene_, camera, {}, { .centres = kAllWithCoverage });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   for (const int step : { 1, 4, 16 })
   {
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
+    ProgressiveFrame frame(cube.scene_, camera, {}, kAllWithCoverage);
     frame.GoTo(step);
     EXPECT_FALSE(frame.Refine({}, Deadline::min()));
     const double part = frame.PartDone();
@@ -175,8 +175,8 @@ TEST(ProgressiveFrame, AFrameMadeAtOnceIsLostWhereItIsEnded)
 {
   const CurvedCube cube;
   const Camera camera = MakeCubeView(193, 171);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
-  ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
+  const Frame wanted = Trace(cube.scene_, camera, {}, { .centres = kAllWithCoverage });
+  ProgressiveFrame frame(cube.scene_, camera, {}, kAllWithCoverage);
   const Progress abort = [](double) { return false; };
   EXPECT_FALSE(frame.Complete(abort));
   EXPECT_EQ(frame.Step(), 0);

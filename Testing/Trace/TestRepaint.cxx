@@ -79,21 +79,21 @@ TEST_P(Repainted, ColoursAreThoseOfATracedFrame)
   const ColorMapping colors = LayeredColors();
   const ColorMapping others = LayeredColors(0.17);
   const Pipeline pipeline{ { &colors }, {} };
-  const Frame wanted = Trace(scene.TheScene, camera, pipeline);
+  const Frame wanted = Trace(scene.scene_, camera, pipeline);
   ASSERT_EQ(wanted.Image().size(), std::size_t{ 4 } * kRepaintWidth * kRepaintHeight);
   EXPECT_GT(std::ranges::count(wanted.centres.layer, 0), 300);
   EXPECT_GT(std::ranges::count(wanted.centres.layer, 1), 300);
   EXPECT_EQ(wanted.color.empty(), !GetParam());
   EXPECT_EQ(wanted.centres.behind.size(), GetParam() ? 2U : 0U);
 
-  Frame frame = Trace(scene.TheScene, camera, {}, { .centres = pipeline.Needs().centres });
+  Frame frame = Trace(scene.scene_, camera, {}, { .centres = pipeline.Needs().centres });
   EXPECT_TRUE(frame.Image().empty());
   for (const bool withScene : { false, true })
   {
     for (const Pipeline& by : { Pipeline{ { &others }, {} }, pipeline })
     {
       const std::int64_t rays = frame.counters.rays;
-      withScene ? Repaint(scene.TheScene, camera, by, frame) : Repaint(by, frame);
+      withScene ? Repaint(scene.scene_, camera, by, frame) : Repaint(by, frame);
       EXPECT_EQ(frame.counters.rays, rays);
       EXPECT_EQ(by.colors[0] == &colors, frame.Image() == wanted.Image());
     }
@@ -101,7 +101,7 @@ TEST_P(Repainted, ColoursAreThoseOfATracedFrame)
     ExpectSameColors(frame, wanted);
   }
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-  const Frame one = Trace(scene.TheScene, camera, pipeline);
+  const Frame one = Trace(scene.scene_, camera, pipeline);
   ExpectSame(one, wanted);
   ExpectSameColors(one, wanted);
 }
@@ -111,14 +111,14 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
   const ColorMapping colors = LayeredColors();
   Spread module;
   const Pipeline pipeline{ { &colors }, { &module } };
-  const Frame wanted = Trace(scene.TheScene, camera, pipeline);
+  const Frame wanted = Trace(scene.scene_, camera, pipeline);
   const std::vector<double> spread = module.spread;
   ASSERT_EQ(spread.size(), std::size_t{ kRepaintWidth } * kRepaintHeight);
   EXPECT_EQ(std::ranges::count(spread, -1.0), 0);
 
   // The module's buffer against the frame's own corners.
   const Frame apart =
-    Trace(scene.TheScene, camera, {}, { .centres = Buffer::Value, .corners = Buffer::Value });
+    Trace(scene.scene_, camera, {}, { .centres = Buffer::Value, .corners = Buffer::Value });
   for (int at = 0; at < kRepaintWidth * kRepaintHeight; ++at)
   {
     const auto i = static_cast<std::size_t>(at);
@@ -128,18 +128,18 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
     EXPECT_TRUE(spread[i] == expected || (std::isnan(spread[i]) && std::isnan(expected)));
   }
   // And the image against the one without it.
-  const Frame plain = Trace(scene.TheScene, camera, { { &colors }, {} });
+  const Frame plain = Trace(scene.scene_, camera, { { &colors }, {} });
   for (std::size_t i = 0; i < wanted.Image().size(); ++i)
   {
     EXPECT_EQ(wanted.Image()[i], i % 4 == 0 ? plain.Image()[i] / 2 : plain.Image()[i]);
   }
   EXPECT_EQ(wanted.centres.color, plain.centres.color);
 
-  Frame frame = Trace(scene.TheScene, camera, {}, { .centres = pipeline.Needs().centres });
+  Frame frame = Trace(scene.scene_, camera, {}, { .centres = pipeline.Needs().centres });
   EXPECT_THROW(Repaint(pipeline, frame), Error);
   const std::int64_t corners = wanted.counters.rays - kRepaintWidth * kRepaintHeight;
   EXPECT_GT(corners, (kRepaintWidth + 1) * (kRepaintHeight + 1));
-  Repaint(scene.TheScene, camera, pipeline, frame);
+  Repaint(scene.scene_, camera, pipeline, frame);
   EXPECT_EQ(frame.counters.rays, wanted.counters.rays);
   ExpectSame(frame, wanted);
   ExpectSameColors(frame, wanted);
@@ -148,7 +148,7 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
   Repaint({ { &colors }, {} }, frame);
   ExpectSameColors(frame, plain);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-  ExpectSameColors(Trace(scene.TheScene, camera, pipeline), wanted);
+  ExpectSameColors(Trace(scene.scene_, camera, pipeline), wanted);
   EXPECT_TRUE(SameBytes(module.spread, spread));
 }
 
@@ -161,7 +161,7 @@ TEST_P(Repainted, FramesInPassesHaveTheSameColours)
     Spread module;
     const Pipeline pipeline{ { &colors },
       withModule ? std::vector<FrameModule*>{ &module } : std::vector<FrameModule*>{} };
-    const Frame wanted = Trace(scene.TheScene, camera, pipeline);
+    const Frame wanted = Trace(scene.scene_, camera, pipeline);
     const std::vector<double> spread = module.spread;
     for (int passes = 0; passes <= 4; ++passes)
     {
@@ -170,7 +170,7 @@ TEST_P(Repainted, FramesInPassesHaveTheSameColours)
       // Begun in the wrong colours where there is time to change them.
       Pipeline first = pipeline;
       first.colors = { passes == 0 ? &colors : &others };
-      ProgressiveFrame frame(scene.TheScene, camera, first);
+      ProgressiveFrame frame(scene.scene_, camera, first);
       for (int pass = 0; pass < passes; ++pass)
       {
         if (pass == passes / 2)
@@ -188,7 +188,7 @@ TEST_P(Repainted, FramesInPassesHaveTheSameColours)
       // Other colours once all is known are a matter of repainting.
       Frame taken = frame.Take();
       Repaint({ { &others }, {} }, taken);
-      ExpectSameColors(taken, Trace(scene.TheScene, camera, { { &others }, {} }));
+      ExpectSameColors(taken, Trace(scene.scene_, camera, { { &others }, {} }));
     }
   }
 }
@@ -197,11 +197,11 @@ TEST_P(Repainted, FramesInPassesHaveTheSameColours)
 TEST_P(Repainted, FramesInPassesHaveTheSameBuffers)
 {
   constexpr Buffer kWanted = kAll | Buffer::Layer | Buffer::Coverage | Buffer::Enclosure;
-  const Frame wanted = Trace(scene.TheScene, camera, {}, { .centres = kWanted });
+  const Frame wanted = Trace(scene.scene_, camera, {}, { .centres = kWanted });
   for (const int passes : { 0, 2, 4 })
   {
     const ColorMapping colors = LayeredColors();
-    ProgressiveFrame frame(scene.TheScene, camera, { { &colors }, {} }, kWanted);
+    ProgressiveFrame frame(scene.scene_, camera, { { &colors }, {} }, kWanted);
     frame.Recolor({});
     for (int pass = 0; pass < passes; ++pass)
     {
@@ -217,9 +217,9 @@ TEST_P(Repainted, PreviewsAreColouredAsTheFrameWillBe)
 {
   const ColorMapping colors = LayeredColors();
   const ColorMapping others = LayeredColors(0.17);
-  const Frame wanted = Trace(scene.TheScene, camera, { { &colors }, {} });
+  const Frame wanted = Trace(scene.scene_, camera, { { &colors }, {} });
   Spread module;
-  ProgressiveFrame frame(scene.TheScene, camera, { { &others }, { &module } });
+  ProgressiveFrame frame(scene.scene_, camera, { { &others }, { &module } });
   frame.Recolor({ { &colors }, { &module } });
   for (const int step : { 16, 4, 1 })
   {
@@ -243,9 +243,9 @@ TEST_P(Repainted, AbortedFramesHaveNoColours)
   const ColorMapping colors = LayeredColors();
   Spread module;
   const Pipeline pipeline{ { &colors }, { &module } };
-  const Frame wanted = Trace(scene.TheScene, camera, pipeline);
+  const Frame wanted = Trace(scene.scene_, camera, pipeline);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  ProgressiveFrame frame(scene.TheScene, camera, pipeline);
+  ProgressiveFrame frame(scene.scene_, camera, pipeline);
   EXPECT_FALSE(frame.Complete([](double done) { return done < 0.5; }));
   EXPECT_EQ(frame.Step(), 0);
   EXPECT_GT(frame.Get().counters.rays, 0);

@@ -58,6 +58,6 @@ TEST(StridedFrame, BlocksShowTheirMiddlePixelBitForBit)
 TEST(StridedFrame, RefusesWhatTraceDoes)
 {
   const Block block;
-  EXPECT_THROW((void)TraceStrided(block.TheScene, ViewAlongZ(8, 8), Buffer::Value, 2), Error);
+  EXPECT_THROW((void)TraceStrided(block.scene_, ViewAlongZ(8, 8), Buffer::Value, 2), Error);
 }
 } // namespace pixelexact::testing

@@ -65,7 +65,7 @@ TEST(SurfaceRegions, OfFacesHoldClosedForm)
   {
     SCOPED_TRACE(Name(shapes.front()));
     const BentCube cube(shapes);
-    const ElementIndex& index = cube.TheLocator.Index();
+    const ElementIndex& index = cube.locator_.Index();
     const ElementFaces surface(index, BoundaryOf(index));
     const auto at = [](long double depth, Random& random)
     {
@@ -97,7 +97,7 @@ TEST(SurfaceRegions, OfIsoSurfacesHoldClosedForm)
       cube.FieldOf([](const LongVec3& x, int /*element*/) { return Dot(x, x); });
     const Field field{ "square", values.View() };
     constexpr double kRadius = 0.75;
-    const IsoSurface surface(cube.TheLocator.Index(), field, 0, kRadius * kRadius);
+    const IsoSurface surface(cube.locator_.Index(), field, 0, kRadius * kRadius);
     CheckStrips(surface, OnBall(Vec3(0.0), kRadius), BesideBall(Vec3(0.0), kRadius), 0.9);
   }
 }

@@ -299,7 +299,7 @@ TEST(Tracer, RaysGoOnBehindSurfacesOutsideOfTheMesh)
   // And the nearer one wins where both are inside.
   block.WithPlane({ 0.0, 0.0, 0.5 }, { 0.0, 0.0, 1.0 });
   const Frame nearer =
-    Trace(block.TheScene, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Depth });
+    Trace(block.scene_, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Depth });
   EXPECT_EQ(nearer.centres.depth[210], 4.5);
 }
 
@@ -391,7 +391,7 @@ TEST(Tracer, RefusesScenesThatShowNothing)
 {
   Block block;
   const Camera camera = ViewAlongZ(8, 8);
-  EXPECT_THROW(Trace(block.TheScene, camera, {}), Error);
+  EXPECT_THROW(Trace(block.scene_, camera, {}), Error);
   Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
   scene.layers[0].component = 2;
   EXPECT_THROW(Trace(scene, camera, {}), Error);

@@ -217,11 +217,11 @@ TEST(Triangles, NormalsAreTheTriangles)
 }
 
 /// Samples tell the triangle, and where on it.
-TEST(Triangles, SamplesTellThePiece)
+TEST(Triangles, SamplesNameThePiece)
 {
   const Block block;
   const auto ball = std::make_shared<Triangles>(Ball(1, Vec3(0.1, 0.0, 0.0), 0.8));
-  const Scene scene{ block.TheScene.locator, { { ball, &block.TheField } }, {} };
+  const Scene scene{ block.scene_.locator, { { ball, &block.field_ } }, {} };
   const Camera camera = ViewAlongZ(24, 18);
   const SampleBuffers samples =
     Trace(scene, camera, {}, { .corners = kAll | Buffer::Piece }).corners;

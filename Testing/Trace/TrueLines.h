@@ -22,7 +22,7 @@ public:
   static constexpr int kSteps = 8; ///< a pixel
 
   TrueLines(const TrueScene& scene, const CameraView& view, int width, int height)
-    : TheScene(scene)
+    : scene_(scene)
     , View(view)
     , Width(width)
     , Height(height)
@@ -103,7 +103,7 @@ public:
   [[nodiscard]] Seen At(long double x, long double y) const
   {
     Seen seen{ x, y };
-    const auto sheets = TheScene.See(RayThrough(View, Width, Height, x, y));
+    const auto sheets = scene_.See(RayThrough(View, Width, Height, x, y));
     if (sheets && !sheets->empty())
     {
       seen.layer = sheets->front().layer;
@@ -145,7 +145,7 @@ private:
     }
   }
 
-  const TrueScene& TheScene;
+  const TrueScene& scene_;
   CameraView View;
   int Width;
   int Height;

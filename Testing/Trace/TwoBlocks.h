@@ -48,9 +48,9 @@ public:
           }
         });
     }
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Blocks.View());
-    Table = std::make_unique<FaceTable>(TheLocator->Index());
+    field_ = { "u", Values.View() };
+    locator_ = std::make_unique<Locator>(Blocks.View());
+    Table = std::make_unique<FaceTable>(locator_->Index());
   }
 
   /// Along x, from lower x.
@@ -58,8 +58,8 @@ public:
 
   MeshBuilder Blocks;
   ExpansionBuilder Values;
-  Field TheField;
-  std::unique_ptr<Locator> TheLocator;
+  Field field_;
+  std::unique_ptr<Locator> locator_;
   std::unique_ptr<FaceTable> Table;
 };
 } // namespace pixelexact::testing

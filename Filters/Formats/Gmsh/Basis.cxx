@@ -197,7 +197,7 @@ ElementBasis Serendipity(const ElementType& type)
 }
 
 /// Hexahedra of order 9, the largest that Gmsh has; twice as many take ten times as long.
-constexpr int kMostDenseModes = 1000;
+constexpr int kMaxDenseModes = 1000;
 
 /// Gmsh's u, v, w.
 LongVec3 FromXi(int dimension, Shape shape, const LongVec3& xi)
@@ -265,7 +265,7 @@ Space SpaceOf(int dimension, Shape shape, const Interpolation& interpolation)
   }
   // Incomplete hexahedra of order 9 leave out most; who leaves out more has a time in no proportion
   // to what the file says.
-  const int most = std::min(kMostDenseModes, 100 + 10 * interpolation.functions);
+  const int most = std::min(kMaxDenseModes, 100 + 10 * interpolation.functions);
   if (!space.IsValid() || space.Modes() > most)
   {
     throw Unsupported(std::to_string(interpolation.functions) + " functions on a " +

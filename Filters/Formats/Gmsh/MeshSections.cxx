@@ -16,7 +16,7 @@ namespace
 constexpr double kNamesWithoutDimension = 2.0;
 constexpr double kCountsPartitions = 2.2;
 constexpr int kDimensions = 4;
-constexpr std::size_t kMostNodes = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t kMaxNodes = std::numeric_limits<std::int32_t>::max();
 
 void RequireDimension(const Scanner& scanner, int dimension)
 {
@@ -48,7 +48,7 @@ void AddNode(Scanner& scanner, MeshFile& mesh)
 void FinishNodes(const Scanner& scanner, MeshFile& mesh)
 {
   mesh.nodes = mesh.positions.size() / 3;
-  if (mesh.positions.size() / 3 > kMostNodes)
+  if (mesh.positions.size() / 3 > kMaxNodes)
   {
     scanner.FailUnsupported("meshes of more than 2147483647 nodes are not read.");
   }

@@ -21,7 +21,7 @@ public:
   ViewElements(std::string where, const View& view, const ViewPart& part, const ViewValues& values,
     const MeshFile& mesh, BasisTable& bases)
     : Where(std::move(where))
-    , TheView(view)
+    , view_(view)
     , Part(part)
     , Values(values)
     , Mesh(mesh)
@@ -51,7 +51,7 @@ private:
   const ElementBasis& Choose(std::size_t e);
 
   std::string Where;
-  const View& TheView;
+  const View& view_;
   const ViewPart& Part;
   const ViewValues& Values;
   const MeshFile& Mesh;
@@ -60,7 +60,7 @@ private:
 
 bool ViewElements::HasValues(std::size_t e) const
 {
-  if (TheView.kind != ViewKind::Node)
+  if (view_.kind != ViewKind::Node)
   {
     return Values.first[e] >= 0;
   }
@@ -70,7 +70,7 @@ bool ViewElements::HasValues(std::size_t e) const
 
 int ViewElements::TuplesOf(std::size_t e) const
 {
-  switch (TheView.kind)
+  switch (view_.kind)
   {
     case ViewKind::Node:
       return Mesh.elements[e].type->nodes;
@@ -128,7 +128,7 @@ void ViewElements::Gather(std::size_t e, std::span<double> source) const
   const auto nodes = Mesh.NodesOf(Mesh.elements[e]);
   for (std::size_t i = 0; i < tuples; ++i)
   {
-    const auto first = TheView.kind == ViewKind::Node
+    const auto first = view_.kind == ViewKind::Node
       ? static_cast<std::size_t>(Values.first[static_cast<std::size_t>(nodes[i])])
       : static_cast<std::size_t>(Values.first[e]) + i * components;
     for (std::size_t c = 0; c < components; ++c)

@@ -383,7 +383,7 @@ public:
 private:
   /// Larger data sets are looked up, and not read: numbers cannot harm the library, and files of
   /// many gigabytes are not read twice.
-  static constexpr std::size_t kMostRead = std::size_t{ 256 } << 20U;
+  static constexpr std::size_t kMaxRead = std::size_t{ 256 } << 20U;
 
   static herr_t ReadObject(hid_t root, const char* name, const H5O_info_t* info, void* self)
   {
@@ -429,7 +429,7 @@ private:
   {
     const hssize_t count = H5Sget_simple_extent_npoints(space);
     const std::size_t size = H5Tget_size(type);
-    if (count <= 0 || size == 0 || static_cast<std::size_t>(count) > (kMostRead - Taken) / size)
+    if (count <= 0 || size == 0 || static_cast<std::size_t>(count) > (kMaxRead - Taken) / size)
     {
       return; // the reader itself refuses what the file cannot hold
     }

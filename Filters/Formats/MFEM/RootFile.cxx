@@ -19,7 +19,7 @@ namespace
 {
 using Json = nlohmann::json;
 
-constexpr int kMostPieces = 1000000; ///< as many as six digits tell apart
+constexpr int kMaxPieces = 1000000; ///< as many as six digits tell apart
 
 [[noreturn]] void Fail(const NamedText& file, const std::string& problem)
 {
@@ -82,7 +82,7 @@ RootFile ParseRootFile(const NamedText& file)
     Fail(file, "the entry 'time' is no number.");
   }
   result.time = time.get<double>();
-  result.pieces = Integer(file, Entry(file, main, "domains"), "domains", 1, kMostPieces);
+  result.pieces = Integer(file, Entry(file, main, "domains"), "domains", 1, kMaxPieces);
   result.mesh = FirstPiece(file, Entry(file, main, "mesh"));
   if (const auto fields = main.find("fields"); fields != main.end() && fields->is_object())
   {

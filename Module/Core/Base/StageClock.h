@@ -69,22 +69,22 @@ class StageScope
 {
 public:
   explicit StageScope(Stage stage)
-    : TheClock(StageClock::OfThread())
-    , Before(TheClock ? TheClock->Enter(stage) : stage)
+    : clock_(StageClock::OfThread())
+    , Before(clock_ ? clock_->Enter(stage) : stage)
   {
   }
   ~StageScope()
   {
-    if (TheClock)
+    if (clock_)
     {
-      TheClock->Enter(Before);
+      clock_->Enter(Before);
     }
   }
   StageScope(const StageScope&) = delete;
   StageScope& operator=(const StageScope&) = delete;
 
 private:
-  StageClock* TheClock;
+  StageClock* clock_;
   Stage Before;
 };
 } // namespace pixelexact

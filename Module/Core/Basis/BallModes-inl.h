@@ -68,13 +68,13 @@ HWY_INLINE BoundedPair NextOf(const Pair& slope, Lanes terms, const BoundedPair&
 {
   // Errors in units of u^2: 22 for the slope in terms of `terms`, 20 for the weight, 9 for each
   // product here and 4 for the difference: less than 64, of kPairError. Errors of the values
-  // themselves pass on with the factors' exact magnitudes. Underflow is below kLeast kPairError in
+  // themselves pass on with the factors' exact magnitudes. Underflow is below kMin kPairError in
   // a factor, and below what RoundUp adds in a product.
-  constexpr double kLeast = 0x1p-900;
+  constexpr double kMin = 0x1p-900;
   const Lanes one = ball::Set(kPairError);
-  terms = terms + ball::Set(kLeast);
+  terms = terms + ball::Set(kMin);
   const Lanes steep = MulAdd(one, terms, Abs(slope.high) + Abs(slope.low));
-  const Lanes weighty = Abs(weight.high) + Abs(weight.low) + ball::Set(kLeast);
+  const Lanes weighty = Abs(weight.high) + Abs(weight.low) + ball::Set(kMin);
   const Lanes heavy = MulAdd(one, weighty, weighty);
   const Lanes rounding =
     one * MulAdd(terms, Abs(last.value.high), weighty * Abs(previous.value.high));

@@ -25,7 +25,7 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 /// Points along a line for each degree.
 constexpr int kDensity = 3;
-constexpr double kMostProducts = 2e8;
+constexpr double kMaxProducts = 2e8;
 /// Covers the rounding of sums and of eta.
 constexpr double kUp = 1.0 + 1e-6;
 
@@ -54,7 +54,7 @@ double BoundOf(const BasisFactor& factor)
     places *= lines[d].size();
     between /= degree > 0 ? std::cos(std::numbers::pi / (2.0 * kDensity)) : 1.0;
   }
-  if (static_cast<double>(places) * factor.rows * factor.columns > kMostProducts)
+  if (static_cast<double>(places) * factor.rows * factor.columns > kMaxProducts)
   {
     return std::numeric_limits<double>::infinity();
   }

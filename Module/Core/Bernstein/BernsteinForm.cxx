@@ -34,8 +34,8 @@ const std::vector<double>& RowOf(const FactorRow& row)
 } // namespace
 
 BernsteinForm::BernsteinForm(const Space& space)
-  : TheSpace(space)
-  , TheDegree(space.TensorDegree())
+  : space_(space)
+  , degree_(space.TensorDegree())
 {
   MakeRows();
   Largest.reserve(static_cast<std::size_t>(space.Modes()));
@@ -54,15 +54,15 @@ int BernsteinForm::FamilyOf(int p, int q) const
   {
     return 0;
   }
-  return TheSpace.shape == Shape::Prism    ? p
-    : TheSpace.shape == Shape::Tetrahedron ? p + q
-                                           : std::max(p, q);
+  return space_.shape == Shape::Prism    ? p
+    : space_.shape == Shape::Tetrahedron ? p + q
+                                         : std::max(p, q);
 }
 
 void BernsteinForm::MakeRows()
 {
-  const Space& space = TheSpace;
-  const auto [P, Q, R] = TheDegree;
+  const Space& space = space_;
+  const auto [P, Q, R] = degree_;
   X = UnivariateRows(0, P, 0, P);
   const bool tetrahedron = space.shape == Shape::Tetrahedron;
   for (int p = 0; p <= (tetrahedron ? P : 0); ++p)
@@ -97,7 +97,7 @@ const BernsteinForm& BernsteinForm::Of(const Space& space)
 
 int BernsteinForm::Size() const
 {
-  return (TheDegree[0] + 1) * (TheDegree[1] + 1) * (TheDegree[2] + 1);
+  return (degree_[0] + 1) * (degree_[1] + 1) * (degree_[2] + 1);
 }
 
 template <bool kAbsolute>
@@ -105,7 +105,7 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
 {
   // Short lines are done before a kernel has been called.
   constexpr std::size_t kLong = 8;
-  const auto [P, Q, R] = TheDegree;
+  const auto [P, Q, R] = degree_;
   const auto width = static_cast<std::size_t>(R) + 1;
   std::vector<double> line(width);
   std::vector<double> layer(static_cast<std::size_t>(Q + 1) * width);
@@ -116,10 +116,10 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
   {
     std::ranges::fill(layer, 0.0);
     const Rows& y = Y[Y.size() > 1 ? p : 0];
-    for (int q = 0; q <= TheSpace.LastQ(p); ++q)
+    for (int q = 0; q <= space_.LastQ(p); ++q)
     {
       const auto& z = Z[FamilyOf(p, q)];
-      const auto count = static_cast<std::size_t>(TheSpace.LastR(p, q)) + 1;
+      const auto count = static_cast<std::size_t>(space_.LastR(p, q)) + 1;
       std::span<const double> factors(modes, count);
       modes += count;
       if (kAbsolute)
@@ -169,7 +169,7 @@ double BernsteinForm::ErrorBound(const double* modes) const
 {
   std::vector<double> sums(Size());
   Contract<true>(modes, sums);
-  const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 9;
+  const int operations = degree_[0] + degree_[1] + degree_[2] + 9;
   // The sums of magnitudes are themselves rounded: one more factor 1 + gamma covers that.
   return std::ranges::max(sums) * Gamma(operations) * (1.0 + Gamma(2 * operations));
 }
@@ -181,7 +181,7 @@ double BernsteinForm::QuickErrorBound(const double* modes) const
   {
     sum += std::fabs(*modes++) * largest;
   }
-  const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 9;
+  const int operations = degree_[0] + degree_[1] + degree_[2] + 9;
   // The sum's rounding, and that of the products of three magnitudes.
   return sum * Gamma(operations) * (1.0 + Gamma(static_cast<int>(Largest.size()) + 64));
 }
@@ -190,7 +190,7 @@ Vec3 BernsteinForm::GridPoint(int i, int j, int k) const
 {
   const auto at = [](int index, int degree)
   { return degree == 0 ? 0.0 : static_cast<double>(2 * index - degree) / degree; };
-  return { at(i, TheDegree[0]), at(j, TheDegree[1]), at(k, TheDegree[2]) };
+  return { at(i, degree_[0]), at(j, degree_[1]), at(k, degree_[2]) };
 }
 
 Hull HullOf(std::span<const double> bernstein)

@@ -26,7 +26,7 @@ public:
   /// The conversion of a space; made on first use, kept, safe to call from several threads.
   static const BernsteinForm& Of(const Space& space);
 
-  [[nodiscard]] const std::array<int, 3>& Degree() const { return TheDegree; }
+  [[nodiscard]] const std::array<int, 3>& Degree() const { return degree_; }
   /// The number of coefficients: the product of degrees + 1; index (i (Q+1) + j) (R+1) + k.
   [[nodiscard]] int Size() const;
 
@@ -51,8 +51,8 @@ private:
   void Contract(const double* modes, std::span<double> bernstein) const;
 
   using Rows = std::vector<FactorRow>; ///< by function
-  Space TheSpace;
-  std::array<int, 3> TheDegree;
+  Space space_;
+  std::array<int, 3> degree_;
   Rows X;                      ///< [p]
   std::vector<Rows> Y;         ///< [p of the family][q]
   std::vector<Rows> Z;         ///< [n of the family][r]

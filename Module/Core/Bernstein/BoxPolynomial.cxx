@@ -2,7 +2,7 @@
 #include "Core/Bernstein/BoxPolynomial.h"
 
 #include "Core/Bernstein/ExtremeKernels.h"
-#include "Core/Bernstein/HalvingKernels.h"
+#include "Core/Bernstein/SubdivisionKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Math/Rounding.h"
 
@@ -127,11 +127,11 @@ BoxPolynomial BoxPolynomial::AtEnd(int direction, bool upper) const
   return slice;
 }
 
-BoxPolynomial BoxPolynomial::Halve(int direction)
+BoxPolynomial BoxPolynomial::Subdivide(int direction)
 {
   BoxPolynomial upper{ degree, std::vector<double>(b.size()), error };
   const double largest = LargestMagnitude(b);
-  pixelexact::Halve(degree, direction, b, upper.b);
+  pixelexact::Subdivide(degree, direction, b, upper.b);
   error = (error + Gamma(degree[static_cast<std::size_t>(direction)] + 2) * largest + 0x1p-1000) *
     (1.0 + Gamma(4));
   upper.error = error;

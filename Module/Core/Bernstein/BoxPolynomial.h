@@ -33,7 +33,7 @@ struct BoxPolynomial
   /// The polynomial at an end of the box along a direction, in which it then has degree 0.
   [[nodiscard]] BoxPolynomial AtEnd(int direction, bool upper) const;
   /// Becomes the lower half along a direction and returns the upper one.
-  BoxPolynomial Halve(int direction);
+  BoxPolynomial Subdivide(int direction);
   /// Becomes its restriction to `from` <= eta_direction <= `to`, parts of [-1, 1], which is the
   /// box.
   void Restrict(int direction, double from, double to);

@@ -27,7 +27,7 @@ public:
   /// Restricts the box on top to the sections, in directions where that takes a quarter of its
   /// width or more. False where in none.
   bool Shrink(const Sections& sections);
-  /// Halves the box on top in its widest direction; false where it is too narrow.
+  /// Children the box on top in its widest direction; false where it is too narrow.
   bool Split();
   /// A root found in the box's own coordinates, in those of the cube. False where rounding leaves
   /// nothing of the region in which it is alone.

@@ -11,16 +11,16 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kMostBinomial = 99;
+constexpr int kMaxBinomial = 99;
 
 /// Pascal's triangle. Those used here, C(66 - n, n) the largest, are below 2^53, hence exact.
 double Binomial(int n, int k)
 {
-  using Triangle = std::array<std::array<double, kMostBinomial + 1>, kMostBinomial + 1>;
+  using Triangle = std::array<std::array<double, kMaxBinomial + 1>, kMaxBinomial + 1>;
   static const Triangle triangle = []
   {
     Triangle t{};
-    for (std::size_t row = 0; row <= kMostBinomial; ++row)
+    for (std::size_t row = 0; row <= kMaxBinomial; ++row)
     {
       t[row][0] = 1.0;
       for (std::size_t column = 1; column <= row; ++column)
@@ -185,7 +185,7 @@ WideRow Raised(const WideRow& row, int degree)
 
 /// The lower or the upper half of coefficients (de Casteljau), in place.
 template <class Number>
-void Halve(std::vector<Number>& b, bool upper)
+void Subdivide(std::vector<Number>& b, bool upper)
 {
   const auto mean = [](const Number& x, const Number& y) { return (x + y) * 0.5; };
   for (std::size_t level = 1; level < b.size(); ++level)
@@ -212,8 +212,8 @@ FactorRow MakeFactorRow(const FactorKey& key, Factor factor, int degree, int lev
   for (int l = level - 1; l >= 0; --l)
   {
     const bool upper = ((static_cast<unsigned>(piece) >> static_cast<unsigned>(l)) & 1U) != 0;
-    Halve(row.b, upper);
-    Halve(row.s, upper);
+    Subdivide(row.b, upper);
+    Subdivide(row.s, upper);
   }
   constexpr double kShare = kRoundings * kWideRoundoff / kUnitRoundoff;
   FactorRow result;

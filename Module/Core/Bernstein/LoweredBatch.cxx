@@ -115,9 +115,9 @@ PolynomialBatch PolynomialBatch::Lowered(double part) const
 void PolynomialBatch::LowerAlong(int direction, double most)
 {
   const auto d = static_cast<std::size_t>(direction);
-  const int n = TheDegree[d];
+  const int n = degree_[d];
   const std::size_t columns = static_cast<std::size_t>(n) + 1;
-  const std::size_t stride = StrideOf(TheDegree, direction) * Count();
+  const std::size_t stride = StrideOf(degree_, direction) * Count();
   std::vector<double> again(B.size());
   std::vector<double> ends[2] = { std::vector<double>(Count()), std::vector<double>(Count()) };
   // The lowest degree that is known to do, and the highest that is known not to.
@@ -164,7 +164,7 @@ void PolynomialBatch::LowerAlong(int direction, double most)
   {
     return;
   }
-  TheDegree[d] = enough;
+  degree_[d] = enough;
   B = std::move(kept);
   ExtremesOfEach(B, ends[0], ends[1]);
   for (std::size_t c = 0; c < Count(); ++c)

@@ -86,11 +86,11 @@ FactorKey KeyOf(const Space& space, int direction, int family, int n)
 } // namespace
 
 PieceForm::PieceForm(const Space& space, int level)
-  : TheSpace(space)
-  , TheLevel(level)
-  , TheDegree(space.TensorDegree())
+  : space_(space)
+  , level_(level)
+  , degree_(space.TensorDegree())
 {
-  const auto [P, Q, R] = TheDegree;
+  const auto [P, Q, R] = degree_;
   const bool tetrahedron = space.shape == Shape::Tetrahedron;
   Families[1] = tetrahedron ? P + 1 : 1;
   if (space.shape != Shape::Hexahedron && space.form == Form::Collapsed)
@@ -116,16 +116,16 @@ void PieceForm::MakeTables(const std::array<Factor, 3>& factor)
     {
       continue;
     }
-    const int degree = TheDegree[d];
-    for (int piece = 0; piece < (1 << TheLevel); ++piece)
+    const int degree = degree_[d];
+    for (int piece = 0; piece < (1 << level_); ++piece)
     {
       for (int family = 0; family < Families[d]; ++family)
       {
         for (int n = 0; n <= degree; ++n)
         {
-          const FactorKey key = KeyOf(TheSpace, static_cast<int>(d), family, n);
+          const FactorKey key = KeyOf(space_, static_cast<int>(d), family, n);
           table.push_back(key.n + key.power <= degree
-              ? MakeFactorRow(key, factor[d], degree, TheLevel, piece)
+              ? MakeFactorRow(key, factor[d], degree, level_, piece)
               : FactorRow{});
           Largest[d][static_cast<std::size_t>(factor[d])].push_back(table.back().largest);
         }
@@ -159,20 +159,20 @@ const PieceForm& PieceForm::Of(const Space& space, int level)
 
 std::size_t PieceForm::Size() const
 {
-  return static_cast<std::size_t>(TheDegree[0] + 1) * static_cast<std::size_t>(TheDegree[1] + 1) *
-    static_cast<std::size_t>(TheDegree[2] + 1);
+  return static_cast<std::size_t>(degree_[0] + 1) * static_cast<std::size_t>(degree_[1] + 1) *
+    static_cast<std::size_t>(degree_[2] + 1);
 }
 
 std::array<int, 3> PieceForm::FamilyOf(int p, int q) const
 {
-  switch (TheSpace.shape)
+  switch (space_.shape)
   {
     case Shape::Prism:
       return { 0, 0, p };
     case Shape::Tetrahedron:
       return { 0, p, p + q };
     case Shape::Pyramid:
-      return { 0, 0, TheSpace.form == Form::Tensor ? 0 : std::max(p, q) };
+      return { 0, 0, space_.form == Form::Tensor ? 0 : std::max(p, q) };
     default:
       return { 0, 0, 0 };
   }
@@ -181,7 +181,7 @@ std::array<int, 3> PieceForm::FamilyOf(int p, int q) const
 std::size_t PieceForm::IndexOf(int direction, int piece, int family, int n) const
 {
   const auto d = static_cast<std::size_t>(direction);
-  const int index = (piece * Families[d] + family) * (TheDegree[d] + 1) + n;
+  const int index = (piece * Families[d] + family) * (degree_[d] + 1) + n;
   return static_cast<std::size_t>(index);
 }
 
@@ -200,7 +200,7 @@ const double* PieceForm::LargestOf(int direction, Factor factor, int piece, int 
 void PieceForm::AddTerm(
   const Term& term, const Piece& piece, const double* modes, std::span<double> out) const
 {
-  const auto [P, Q, R] = TheDegree;
+  const auto [P, Q, R] = degree_;
   const auto width = static_cast<std::size_t>(R) + 1;
   std::vector<double> line(width);
   std::vector<double> layer(width * (static_cast<std::size_t>(Q) + 1));
@@ -208,10 +208,10 @@ void PieceForm::AddTerm(
   for (int p = 0; p <= P; ++p)
   {
     std::ranges::fill(layer, 0.0);
-    for (int q = 0; q <= TheSpace.LastQ(p); ++q)
+    for (int q = 0; q <= space_.LastQ(p); ++q)
     {
       const auto family = FamilyOf(p, q);
-      const auto count = static_cast<std::size_t>(TheSpace.LastR(p, q)) + 1;
+      const auto count = static_cast<std::size_t>(space_.LastR(p, q)) + 1;
       const FactorRow* z = &RowOf(2, term.factor[2], piece[2], family[2], 0);
       for (std::size_t r = 0; r < count; ++r)
       {
@@ -238,7 +238,7 @@ void PieceForm::Convert(
 double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes) const
 {
   // The first mode is 1, whose factors are 1 exactly: a constant is converted without rounding.
-  if (std::all_of(modes + 1, modes + TheSpace.Modes(), [](double mode) { return mode == 0.0; }))
+  if (std::all_of(modes + 1, modes + space_.Modes(), [](double mode) { return mode == 0.0; }))
   {
     return 0.0;
   }
@@ -246,20 +246,20 @@ double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes)
   for (const Term& term : Terms[NumberOf(part)])
   {
     const double* mode = modes;
-    for (int p = 0; p <= TheSpace.order[0]; ++p)
+    for (int p = 0; p <= space_.order[0]; ++p)
     {
       const double x = *LargestOf(0, term.factor[0], piece[0], 0, p);
-      for (int q = 0; q <= TheSpace.LastQ(p); ++q)
+      for (int q = 0; q <= space_.LastQ(p); ++q)
       {
         const auto family = FamilyOf(p, q);
-        const auto count = static_cast<std::size_t>(TheSpace.LastR(p, q)) + 1;
+        const auto count = static_cast<std::size_t>(space_.LastR(p, q)) + 1;
         sum += x * *LargestOf(1, term.factor[1], piece[1], family[1], q) *
           WeighMagnitudes({ mode, count }, LargestOf(2, term.factor[2], piece[2], family[2], 0));
         mode += count;
       }
     }
   }
-  const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 12;
+  const int operations = degree_[0] + degree_[1] + degree_[2] + 12;
   // The sum's own rounding is far below the slack; so is what underflows.
   return sum > 0.0 ? sum * Gamma(operations) * (1.0 + 0x1p-30) + 0x1p-900 : 0.0;
 }

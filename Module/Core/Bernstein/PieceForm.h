@@ -47,11 +47,11 @@ public:
   /// The conversion of a valid space; made on first use, kept, safe to call from several threads.
   static const PieceForm& Of(const Space& space);
 
-  [[nodiscard]] const std::array<int, 3>& Degree() const { return TheDegree; }
+  [[nodiscard]] const std::array<int, 3>& Degree() const { return degree_; }
   /// The number of coefficients: the product of degrees + 1; index (i (Q+1) + j) (R+1) + k.
   [[nodiscard]] std::size_t Size() const;
   /// log2 of the number of pieces along each direction.
-  [[nodiscard]] int Level() const { return TheLevel; }
+  [[nodiscard]] int Level() const { return level_; }
 
   /// The level that a form of this highest order has.
   static int LevelOf(int order);
@@ -87,9 +87,9 @@ private:
   void AddTerm(
     const Term& term, const Piece& piece, const double* modes, std::span<double> out) const;
 
-  Space TheSpace;
-  int TheLevel;
-  std::array<int, 3> TheDegree;
+  Space space_;
+  int level_;
+  std::array<int, 3> degree_;
   std::array<std::vector<Term>, 4> Terms; ///< by Part + 1
   /// [direction][factor], then (piece * families + family) * (degree + 1) + n; empty where unused.
   std::array<std::array<std::vector<FactorRow>, kFactors>, 3> Tables;

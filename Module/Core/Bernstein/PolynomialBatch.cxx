@@ -34,7 +34,7 @@ std::vector<double> RestrictionRows(int n, double from, double to)
 } // namespace
 
 PolynomialBatch::PolynomialBatch(const Degrees& degree, std::span<const BoxPolynomial> polynomials)
-  : TheDegree(degree)
+  : degree_(degree)
   , B(CoefficientCount(degree) * polynomials.size())
 {
   std::vector<double> raised(CoefficientCount(degree));
@@ -87,7 +87,7 @@ void PolynomialBatch::RestrictTo(const Box3& within, Restricted& part) const
   errors = Errors;
   for (int d = 0; d < 3; ++d)
   {
-    const int n = TheDegree[static_cast<std::size_t>(d)];
+    const int n = degree_[static_cast<std::size_t>(d)];
     if (n == 0 || (within.lower[d] <= -1.0 && within.upper[d] >= 1.0))
     {
       continue;
@@ -96,7 +96,7 @@ void PolynomialBatch::RestrictTo(const Box3& within, Restricted& part) const
     next.resize(B.size());
     CombineRows(RestrictionRows(n, 0.5 + within.lower[d] / 2.0, 0.5 + within.upper[d] / 2.0),
       static_cast<std::size_t>(n) + 1, static_cast<std::size_t>(n) + 1,
-      StrideOf(TheDegree, d) * Count(), *now, next);
+      StrideOf(degree_, d) * Count(), *now, next);
     now = &next;
     // The rows, as BoxPolynomial::Restrict, and the sums.
     for (std::size_t c = 0; c < Count(); ++c)
@@ -130,8 +130,8 @@ void PolynomialBatch::FindBounds(
     corners[corner] = 0;
     for (int d = 0; d < 3; ++d)
     {
-      const auto last = static_cast<std::size_t>(TheDegree[static_cast<std::size_t>(d)]);
-      corners[corner] += (corner >> d & 1U) != 0 ? last * StrideOf(TheDegree, d) : 0;
+      const auto last = static_cast<std::size_t>(degree_[static_cast<std::size_t>(d)]);
+      corners[corner] += (corner >> d & 1U) != 0 ? last * StrideOf(degree_, d) : 0;
     }
     mean += places[corners[corner]] / 8.0;
   }

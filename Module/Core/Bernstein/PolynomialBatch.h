@@ -29,7 +29,7 @@ public:
   PolynomialBatch(const Degrees& degree, std::span<const BoxPolynomial> polynomials);
 
   [[nodiscard]] std::size_t Count() const { return Errors.size(); }
-  [[nodiscard]] const Degrees& Degree() const { return TheDegree; }
+  [[nodiscard]] const Degrees& Degree() const { return degree_; }
   [[nodiscard]] std::size_t Bytes() const { return sizeof(double) * B.size(); }
 
   /// All values of each over a part of the box, given in the box's own [-1, 1]^3: the hulls of the
@@ -62,7 +62,7 @@ private:
   void FindBounds(
     const Restricted& part, std::span<const Vec3> places, std::span<AffineBound> bounds) const;
 
-  Degrees TheDegree;
+  Degrees degree_;
   std::vector<double> B; ///< number c of the batch: at c + Count() times BoxPolynomial's index
   std::vector<double> Errors;
   std::vector<double> Largest; ///< bound of the coefficients' magnitudes, before and after

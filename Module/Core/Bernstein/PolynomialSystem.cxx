@@ -37,7 +37,7 @@ void Check(int variables, const TensorPolynomial& polynomial, std::size_t index)
 } // namespace
 
 PolynomialSystem::PolynomialSystem(int variables, std::span<const TensorPolynomial> polynomials)
-  : TheVariables(variables)
+  : variables_(variables)
 {
   if (variables < 1 || variables > 3 || polynomials.empty() || polynomials.size() > 3)
   {
@@ -49,24 +49,24 @@ PolynomialSystem::PolynomialSystem(int variables, std::span<const TensorPolynomi
     Check(variables, polynomials[k], k);
     for (std::size_t d = 0; d < 3; ++d)
     {
-      TheDegree[d] = std::max(TheDegree[d], polynomials[k].degree[d]);
+      degree_[d] = std::max(degree_[d], polynomials[k].degree[d]);
     }
   }
-  const std::size_t size = CoefficientCount(TheDegree);
-  TheCoefficients.resize(polynomials.size() * size);
+  const std::size_t size = CoefficientCount(degree_);
+  coefficients_.resize(polynomials.size() * size);
   for (std::size_t k = 0; k < polynomials.size(); ++k)
   {
     const TensorPolynomial& polynomial = polynomials[k];
-    const auto to = std::span(TheCoefficients).subspan(k * size, size);
-    if (polynomial.degree == TheDegree)
+    const auto to = std::span(coefficients_).subspan(k * size, size);
+    if (polynomial.degree == degree_)
     {
       std::ranges::copy(polynomial.coefficients, to.begin());
       Error.push_back(polynomial.error);
       continue;
     }
-    Elevate(polynomial.degree, TheDegree, polynomial.coefficients, to);
+    Elevate(polynomial.degree, degree_, polynomial.coefficients, to);
     Error.push_back(rounding::Above(
-      polynomial.error + ElevationError(TheDegree, LargestMagnitude(polynomial.coefficients))));
+      polynomial.error + ElevationError(degree_, LargestMagnitude(polynomial.coefficients))));
   }
 }
 } // namespace pixelexact

@@ -27,18 +27,18 @@ public:
   /// finite are allowed, and nothing will be proven with them.
   PolynomialSystem(int variables, std::span<const TensorPolynomial> polynomials);
 
-  [[nodiscard]] int Variables() const { return TheVariables; }
+  [[nodiscard]] int Variables() const { return variables_; }
   [[nodiscard]] int Equations() const { return static_cast<int>(Error.size()); }
-  [[nodiscard]] const Degrees& Degree() const { return TheDegree; }
+  [[nodiscard]] const Degrees& Degree() const { return degree_; }
   /// Of all polynomials, one after the other.
-  [[nodiscard]] std::span<const double> Coefficients() const { return TheCoefficients; }
+  [[nodiscard]] std::span<const double> Coefficients() const { return coefficients_; }
   /// Of each polynomial's coefficients.
   [[nodiscard]] std::span<const double> Errors() const { return Error; }
 
 private:
-  int TheVariables;
-  Degrees TheDegree{};
-  std::vector<double> TheCoefficients;
+  int variables_;
+  Degrees degree_{};
+  std::vector<double> coefficients_;
   std::vector<double> Error;
 };
 } // namespace pixelexact

@@ -10,9 +10,9 @@ namespace pixelexact
 namespace
 {
 /// 64 MiB a search.
-constexpr std::size_t kMostHeld = std::size_t{ 1 } << 23U;
+constexpr std::size_t kMaxHeld = std::size_t{ 1 } << 23U;
 /// Boxes are not made longer than this, in halvings, compared with their shortest side.
-constexpr int kMostUneven = 20;
+constexpr int kMaxUneven = 20;
 /// Where an enclosure reaches beyond what is attained by less than this many times the width of the
 /// enclosure of a point, halving is of no use.
 constexpr double kRoundingOnly = 8.0;
@@ -21,19 +21,19 @@ constexpr double kFloor = 0x1p-40;
 /// So are gaps below this; functions are searched in units of their coefficients.
 constexpr double kSmallest = 0x1p-400;
 
-int Total(const std::array<int, 3>& halvings)
+int Total(const std::array<int, 3>& subdivisions)
 {
-  return halvings[0] + halvings[1] + halvings[2];
+  return subdivisions[0] + subdivisions[1] + subdivisions[2];
 }
 
 int SplitDirection(const RangeBox& box, int difference)
 {
-  const int least = std::ranges::min(box.halvings);
+  const int least = std::ranges::min(box.subdivisions);
   int best = -1;
   double most = 0.0;
   for (int d = 0; d < 3; ++d)
   {
-    if (box.halvings[static_cast<std::size_t>(d)] - least > kMostUneven)
+    if (box.subdivisions[static_cast<std::size_t>(d)] - least > kMaxUneven)
     {
       continue;
     }
@@ -50,7 +50,7 @@ int SplitDirection(const RangeBox& box, int difference)
   }
   return best >= 0
     ? best
-    : static_cast<int>(std::ranges::min_element(box.halvings) - box.halvings.begin());
+    : static_cast<int>(std::ranges::min_element(box.subdivisions) - box.subdivisions.begin());
 }
 } // namespace
 
@@ -91,7 +91,7 @@ Interval RangeBox::Look(const RangeFunction& function)
   return attained;
 }
 
-RangeBox RangeBox::Halve(const RangeFunction& function)
+RangeBox RangeBox::Subdivide(const RangeFunction& function)
 {
   if (remake)
   {
@@ -99,13 +99,13 @@ RangeBox RangeBox::Halve(const RangeFunction& function)
     remake = nullptr;
   }
   const int direction = SplitDirection(*this, function.TellingDifference());
-  ++halvings[static_cast<std::size_t>(direction)];
+  ++subdivisions[static_cast<std::size_t>(direction)];
   RangeBox upper;
   upper.bound = bound;
-  upper.halvings = halvings;
+  upper.subdivisions = subdivisions;
   for (BoxPolynomial& polynomial : polynomials)
   {
-    upper.polynomials.push_back(polynomial.Halve(direction));
+    upper.polynomials.push_back(polynomial.Subdivide(direction));
   }
   return upper;
 }
@@ -130,7 +130,7 @@ void RangeSearch::Add(RangeBox box)
 {
   Attained = Join(Attained, box.Look(Function));
   ++Count;
-  const bool every = Total(box.halvings) % 3 == 0;
+  const bool every = Total(box.subdivisions) % 3 == 0;
   if (every && box.bound.lower < Attained.lower)
   {
     const Interval value = Function.AtLikelyMinimum(box.polynomials);
@@ -178,7 +178,7 @@ bool RangeSearch::Refine(End end)
     return false;
   }
   const double beyond = reach(*worst) - (end == End::Lower ? -Attained.lower : Attained.upper);
-  if (Held > kMostHeld || !(beyond > 0.0) || beyond <= kRoundingOnly * worst->rounding)
+  if (Held > kMaxHeld || !(beyond > 0.0) || beyond <= kRoundingOnly * worst->rounding)
   {
     return false;
   }
@@ -186,7 +186,7 @@ bool RangeSearch::Refine(End end)
   *worst = std::move(Boxes.back());
   Boxes.pop_back();
   Held -= lower.Held();
-  RangeBox upper = lower.Halve(Function);
+  RangeBox upper = lower.Subdivide(Function);
   Add(std::move(lower));
   Add(std::move(upper));
   return true;

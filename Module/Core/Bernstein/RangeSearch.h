@@ -31,7 +31,7 @@ public:
 struct RangeBox
 {
   std::vector<BoxPolynomial> polynomials;
-  std::array<int, 3> halvings{};
+  std::array<int, 3> subdivisions{};
   Interval bound = Interval::Everything(); ///< of the values
   /// Width of the enclosures at single points: what no halving takes away.
   double rounding = 0.0;
@@ -45,7 +45,7 @@ struct RangeBox
   /// Encloses the values and returns what is attained at the corners, as CertifiedRange::attained.
   Interval Look(const RangeFunction& function);
   /// Becomes one half and returns the other, along the direction that promises most.
-  RangeBox Halve(const RangeFunction& function);
+  RangeBox Subdivide(const RangeFunction& function);
   /// The number of coefficients held.
   [[nodiscard]] std::size_t Held() const;
 };
@@ -94,7 +94,7 @@ public:
     Lower,
     Upper
   };
-  /// Halves the box whose enclosure reaches farthest at this end. False where none reaches beyond
+  /// Children the box whose enclosure reaches farthest at this end. False where none reaches beyond
   /// what is attained by more than rounding, or memory allows no further box.
   bool Refine(End end);
 

@@ -173,8 +173,8 @@ private:
   {
     std::vector<ParameterBox>& parts = Result.undecided;
     // Beyond this, the list says no more than its number.
-    constexpr std::size_t kMostJoined = 1000;
-    for (std::size_t i = 0; i < parts.size() && parts.size() <= kMostJoined; ++i)
+    constexpr std::size_t kMaxJoined = 1000;
+    for (std::size_t i = 0; i < parts.size() && parts.size() <= kMaxJoined; ++i)
     {
       for (std::size_t j = i + 1; j < parts.size();)
       {

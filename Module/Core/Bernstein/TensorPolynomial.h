@@ -47,9 +47,9 @@ double LargestMagnitude(std::span<const double> coefficients);
 void Restrict(
   const Degrees& degree, int direction, double from, double to, std::span<double> coefficients);
 
-/// What Restrict, or Halve, adds to the error of coefficients of at most this magnitude: roundings
-/// of two sweeps of convex combinations, and of the second one's parameter, whose error moves the
-/// coefficients by their differences.
+/// What Restrict, or Subdivide, adds to the error of coefficients of at most this magnitude:
+/// roundings of two sweeps of convex combinations, and of the second one's parameter, whose error
+/// moves the coefficients by their differences.
 double RestrictionError(int degree, double magnitude);
 
 /// Coefficients of f in higher degrees, each at least the old one. The error grows by at most

@@ -61,7 +61,7 @@ class ModeEvaluator
 {
 public:
   explicit ModeEvaluator(const Space& space)
-    : TheSpace(space)
+    : space_(space)
     , Modes(static_cast<std::size_t>(space.Modes()))
     , Identity(Modes * Modes, 0.0)
     , Lanes(4 * Modes * kLanePadding)
@@ -87,7 +87,7 @@ public:
     {
       std::fill_n(x[d], kLanePadding, xi[d]);
     }
-    KernelsFor(TheSpace).gradient(TheSpace, Identity.data(), static_cast<int>(Modes),
+    KernelsFor(space_).gradient(space_, Identity.data(), static_cast<int>(Modes),
       { { x[0], x[1], x[2] }, 1 }, ValueTo.data(), GradientTo.data());
     for (std::size_t k = 0; k < Modes; ++k)
     {
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  Space TheSpace;
+  Space space_;
   std::size_t Modes;
   std::vector<double> Identity;
   std::vector<double> Lanes;

@@ -19,7 +19,7 @@ namespace
 constexpr int kCurvaturePoints = 4;
 constexpr double kSafety = 2.0;
 /// Below this, steps are as few as they can be.
-constexpr double kLeast = 1e-3;
+constexpr double kMin = 1e-3;
 
 std::vector<Vec3> LatticeOf(Shape shape)
 {
@@ -102,6 +102,6 @@ double MapCurvature(const Space& space, const double* coefficients)
     }
     sum += largest;
   }
-  return std::max(kLeast, kSafety * sum);
+  return std::max(kMin, kSafety * sum);
 }
 } // namespace pixelexact

@@ -20,7 +20,7 @@ constexpr int kMaxArcDepth = 14;
 ArcProof::ArcProof(const CurveEquations& equations, CurveEvaluator& evaluator, Shape shape,
   double value, std::vector<Vec3> crossings)
   : Evaluator(evaluator)
-  , TheShape(shape)
+  , shape_(shape)
   , Crossings(std::move(crossings))
   , Left(kBudget)
 {
@@ -43,7 +43,7 @@ bool ArcProof::Holds(std::span<const CurvePoint> points)
 
 bool ArcProof::HoldsBetween(const CurvePoint& from, const CurvePoint& to, int depth)
 {
-  if (IsTube(ReferenceToTensor(TheShape, from.xi), ReferenceToTensor(TheShape, to.xi)))
+  if (IsTube(ReferenceToTensor(shape_, from.xi), ReferenceToTensor(shape_, to.xi)))
   {
     return true;
   }

@@ -36,7 +36,7 @@ private:
   [[nodiscard]] bool IsCrossedElsewhere(const Box3& box, const Vec3& from, const Vec3& to) const;
 
   CurveEvaluator& Evaluator;
-  Shape TheShape;
+  Shape shape_;
   std::vector<Vec3> Crossings;
   BoxPolynomial F; ///< over the whole element
   BoxPolynomial S;

@@ -23,7 +23,7 @@ namespace
 {
 /// Of the mesh's diagonal: the least tolerance. A line as long as that has some 100,000 points
 /// then.
-constexpr double kLeastTolerance = 1e-10;
+constexpr double kMinTolerance = 1e-10;
 
 /// Of one element: of the values for which the hulls leave room, in their order.
 struct FoundInElement
@@ -89,7 +89,7 @@ void Check(const ContourRequest& request, const Box3& box)
     throw InvalidData("the tolerance of contours must be greater than 0, in world units.");
   }
   const double diagonal = glm::length(box.upper - box.lower);
-  if (box.lower.x <= box.upper.x && request.tolerance < kLeastTolerance * diagonal)
+  if (box.lower.x <= box.upper.x && request.tolerance < kMinTolerance * diagonal)
   {
     std::ostringstream text;
     text << "a tolerance of contours of " << request.tolerance << ": it may be 1e-10 of the mesh's "

@@ -60,7 +60,7 @@ public:
     const SeedEffort& effort)
     : Equations(equations)
     , Evaluator(evaluator)
-    , TheShape(shape)
+    , shape_(shape)
     , Value(value)
     , Accuracy{ equations.IsExact() ? kRefined : kFoundNear, effort.boxes }
     , List(shape, equations.IsExact(), effort.open)
@@ -119,7 +119,7 @@ private:
     for (const Vec3& direction : directions)
     {
       List.result = ends;
-      TurnSearch search(Evaluator, TheShape, direction, Accuracy, List);
+      TurnSearch search(Evaluator, shape_, direction, Accuracy, List);
       for (const CurvePart& part : parts)
       {
         search.Search(part);
@@ -135,9 +135,9 @@ private:
   [[nodiscard]] Vec3 AlongEta(const CurvePoint& point) const
   {
     constexpr double kStep = 1e-4;
-    const Vec3 inside = point.xi + kStep * (Centre(TheShape) - point.xi);
-    const Vec3 along = ReferenceToTensor(TheShape, inside + kStep * kStep * point.direction) -
-      ReferenceToTensor(TheShape, inside - kStep * kStep * point.direction);
+    const Vec3 inside = point.xi + kStep * (Centre(shape_) - point.xi);
+    const Vec3 along = ReferenceToTensor(shape_, inside + kStep * kStep * point.direction) -
+      ReferenceToTensor(shape_, inside - kStep * kStep * point.direction);
     const double length = glm::length(along);
     return length > 0.0 && std::isfinite(length) ? along / length : kAlong[0];
   }
@@ -150,7 +150,7 @@ private:
 
   void FindHeldFaces(const std::vector<CurvePart>& parts)
   {
-    const auto faces = FacesOf(TheShape);
+    const auto faces = FacesOf(shape_);
     for (std::size_t k = 0; k < faces.size(); ++k)
     {
       bool fIsZero = true;
@@ -191,7 +191,7 @@ private:
   /// Crossings with the element's faces.
   void Ends(const CurvePart& part)
   {
-    const auto faces = FacesOf(TheShape);
+    const auto faces = FacesOf(shape_);
     for (std::size_t k = 0; k < faces.size(); ++k)
     {
       if (IsHeld(k) || !Reaches(part, faces[k]))
@@ -221,16 +221,16 @@ private:
       options.smallest = kSmallestBox;
       const RootSearchResult found = FindRoots(PolynomialSystem(2, system), options);
       List.result.spent = List.result.spent || found.budgetSpent;
-      const FacePlane& plane = FacePlanesOf(TheShape)[k];
+      const FacePlane& plane = FacePlanesOf(shape_)[k];
       const CurvePlane inFace{ plane.gradient, -plane.constant };
       for (const IsolatedRoot& root : found.roots)
       {
-        const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(root.enclosure)));
+        const Vec3 xi = TensorToReference(shape_, toEta(MiddleOf(root.enclosure)));
         List.AddRoot(Evaluator.InPlane(xi, inFace, Accuracy.reach), 1U << k);
       }
       for (const ParameterBox& box : found.undecided)
       {
-        const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(box)));
+        const Vec3 xi = TensorToReference(shape_, toEta(MiddleOf(box)));
         List.AddUndecided(Evaluator.InPlane(xi, inFace, kNear), 1U << k, xi);
       }
     }
@@ -238,7 +238,7 @@ private:
 
   const CurveEquations& Equations;
   CurveEvaluator& Evaluator;
-  Shape TheShape;
+  Shape shape_;
   double Value;
   SeedAccuracy Accuracy;
   SeedList List;

@@ -47,15 +47,15 @@ bool CurvePolynomials::MayVanish() const
   return s.Hull().Contains(0.0) && f.Hull().Contains(0.0);
 }
 
-CurvePolynomials CurvePolynomials::Halve(int direction)
+CurvePolynomials CurvePolynomials::Subdivide(int direction)
 {
-  return { f.Halve(direction), s.Halve(direction) };
+  return { f.Subdivide(direction), s.Subdivide(direction) };
 }
 
 CurveEquations::CurveEquations(const ContourQuestion& question, int element)
   : Question(question)
   , Element(element)
-  , TheShape(question.mesh.ShapeOf(element))
+  , shape_(question.mesh.ShapeOf(element))
   , Map(question.mesh.map.SpaceOf(element), question.mesh.map.Coefficients(element), 3)
   , Modes(ModesOf(question, element))
 {
@@ -70,7 +70,7 @@ CurveEquations::CurveEquations(const ContourQuestion& question, int element)
   {
     all.push_back({ &Modes, c, Part::Value });
   }
-  TheLevel = LevelFor(all);
+  level_ = LevelFor(all);
   const ImplicitPolynomial* const surface = question.cut->Polynomial();
   const int ofCut = surface != nullptr
     ? std::ranges::max(Map.space.TensorDegree()) * surface->Degree()
@@ -133,7 +133,7 @@ BoxPolynomial CurveEquations::SampledOver(const Box3& box) const
       std::vector<Vec3> xi;
       for (const Vec3& point : eta)
       {
-        xi.push_back(TensorToReference(TheShape, point));
+        xi.push_back(TensorToReference(shape_, point));
       }
       std::vector<Vec3> x(eta.size());
       MapForward(Question.mesh, Element, xi, x);

@@ -17,8 +17,8 @@ struct CurvePolynomials
 
   /// Whether the hulls leave room for a common zero.
   [[nodiscard]] bool MayVanish() const;
-  /// Halves both along a direction and returns the upper halves.
-  CurvePolynomials Halve(int direction);
+  /// Children both along a direction and returns the upper halves.
+  CurvePolynomials Subdivide(int direction);
 };
 
 /// Makes them over parts of one element: of the stored map and field, exactly, up to the errors
@@ -42,7 +42,7 @@ public:
   [[nodiscard]] bool MayHave(double value) const;
 
   /// log2 of the number of pieces along each direction on which they are well converted.
-  [[nodiscard]] int Level() const { return TheLevel; }
+  [[nodiscard]] int Level() const { return level_; }
   /// s over a box of the cube that lies in one piece of this level.
   [[nodiscard]] BoxPolynomial CutOver(int level, const Box3& box) const;
   /// The field's value less `value` (of a norm, their squares).
@@ -55,10 +55,10 @@ private:
 
   ContourQuestion Question;
   int Element;
-  Shape TheShape;
+  Shape shape_;
   ScaledModes Map;
   ScaledModes Modes; ///< of the field
-  int TheLevel = 0;
+  int level_ = 0;
   bool Finite = true;
   bool TooHigh = false;
   bool MeetsCut = false;

@@ -43,7 +43,7 @@ double CubicBulge(const CurvePoint& from, const CurvePoint& to)
 CurveTracer::CurveTracer(
   CurveEvaluator& evaluator, Shape shape, const TraceLimits& limits, std::vector<int> heldFaces)
   : Evaluator(evaluator)
-  , TheShape(shape)
+  , shape_(shape)
   , Limits(limits)
   , HeldFaces(std::move(heldFaces))
 {
@@ -52,12 +52,12 @@ CurveTracer::CurveTracer(
 bool CurveTracer::IsOn(std::size_t face, const ContourSeed& seed) const
 {
   return (seed.faces >> face & 1U) != 0 ||
-    std::fabs(FacePlanesOf(TheShape)[face].Distance(seed.point.xi)) <= kTracedOnFace;
+    std::fabs(FacePlanesOf(shape_)[face].Distance(seed.point.xi)) <= kTracedOnFace;
 }
 
 int CurveTracer::Inward(const ContourSeed& seed) const
 {
-  const auto planes = FacePlanesOf(TheShape);
+  const auto planes = FacePlanesOf(shape_);
   bool may[2] = { true, true };
   for (std::size_t k = 0; k < planes.size(); ++k)
   {
@@ -74,7 +74,7 @@ int CurveTracer::Inward(const ContourSeed& seed) const
 
 bool CurveTracer::IsGrazing(const ContourSeed& seed) const
 {
-  const auto planes = FacePlanesOf(TheShape);
+  const auto planes = FacePlanesOf(shape_);
   bool parallel = true;
   for (std::size_t k = 0; k < planes.size(); ++k)
   {
@@ -147,7 +147,7 @@ std::optional<CurvePoint> CurveTracer::Exit(const CurvePoint& from, const CurveP
   // Through the plane that the chord meets first.
   double first = 1.0;
   const FacePlane* through = nullptr;
-  for (const FacePlane& plane : FacePlanesOf(TheShape))
+  for (const FacePlane& plane : FacePlanesOf(shape_))
   {
     const double before = plane.Distance(from.xi);
     const double behind = plane.Distance(to.xi);
@@ -199,7 +199,7 @@ CurveTracer::End CurveTracer::Follow(
       }
       after = passed->part;
     }
-    if (Margin(TheShape, step->point.xi) < kOutside)
+    if (Margin(shape_, step->point.xi) < kOutside)
     {
       if (const auto exit = Exit(from, step->point))
       {

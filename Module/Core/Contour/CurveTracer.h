@@ -75,7 +75,7 @@ private:
   std::optional<CurvePoint> Exit(const CurvePoint& from, const CurvePoint& to);
 
   CurveEvaluator& Evaluator;
-  Shape TheShape;
+  Shape shape_;
   TraceLimits Limits;
   std::vector<int> HeldFaces;
 };

@@ -30,7 +30,7 @@ public:
 
 double FaceOwner::AreaOf(int element, int face) const
 {
-  const Mesh& mesh = TheLocator.GetMesh();
+  const Mesh& mesh = locator_.GetMesh();
   const ReferenceFace& reference = ReferenceFaceOf(mesh.ShapeOf(element), face);
   const auto corners = static_cast<std::size_t>(reference.corners);
   std::vector<Vec3> x(corners);
@@ -43,12 +43,12 @@ double FaceOwner::AreaOf(int element, int face) const
 ElementFace FaceOwner::SmallestOther(int element, const Vec3& x) const
 {
   Holders holders;
-  TheLocator.LocateAll(std::span(&x, 1), holders);
+  locator_.LocateAll(std::span(&x, 1), holders);
   ElementFace smallest;
   double least = 0.0;
   for (const Preimage& holder : holders.All)
   {
-    const auto planes = FacePlanesOf(TheLocator.GetMesh().ShapeOf(holder.element));
+    const auto planes = FacePlanesOf(locator_.GetMesh().ShapeOf(holder.element));
     for (std::size_t k = 0; holder.element != element && k < planes.size(); ++k)
     {
       const auto face = static_cast<int>(k);

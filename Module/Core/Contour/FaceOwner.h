@@ -12,7 +12,7 @@ class FaceOwner
 {
 public:
   FaceOwner(const Locator& locator, const FaceTable& faces)
-    : TheLocator(locator)
+    : locator_(locator)
     , Faces(faces)
   {
   }
@@ -27,7 +27,7 @@ private:
   /// The smallest face of another element at the point; none where there is none.
   [[nodiscard]] ElementFace SmallestOther(int element, const Vec3& x) const;
 
-  const Locator& TheLocator;
+  const Locator& locator_;
   const FaceTable& Faces;
 };
 } // namespace pixelexact

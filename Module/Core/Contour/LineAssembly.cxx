@@ -28,7 +28,7 @@ class Assembly
 public:
   Assembly(const Mesh& mesh, const FaceTable& faces, std::vector<PlacedPiece> pieces,
     std::size_t value, ContourSet& set)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Faces(faces)
     , Pieces(std::move(pieces))
     , Value(value)
@@ -70,12 +70,11 @@ private:
   }
   [[nodiscard]] double SizeAt(std::size_t end) const
   {
-    return TheMesh.size[static_cast<std::size_t>(Pieces[end / 2].element)];
+    return mesh_.size[static_cast<std::size_t>(Pieces[end / 2].element)];
   }
   [[nodiscard]] double Reach(std::size_t end) const
   {
-    const double uncertainty =
-      TheMesh.uncertainty[static_cast<std::size_t>(Pieces[end / 2].element)];
+    const double uncertainty = mesh_.uncertainty[static_cast<std::size_t>(Pieces[end / 2].element)];
     return kSameEnd * SizeAt(end) + uncertainty;
   }
 
@@ -204,7 +203,7 @@ private:
       return;
     }
     const int element = Pieces[end / 2].element;
-    const auto planes = FacePlanesOf(TheMesh.ShapeOf(element));
+    const auto planes = FacePlanesOf(mesh_.ShapeOf(element));
     bool outside = false;
     for (std::size_t k = 0; k < planes.size(); ++k)
     {
@@ -216,7 +215,7 @@ private:
     Set.report.endsInside += outside ? 0 : 1;
   }
 
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   const FaceTable& Faces;
   std::vector<PlacedPiece> Pieces;
   std::size_t Value;

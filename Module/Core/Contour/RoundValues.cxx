@@ -132,7 +132,7 @@ double WithDigits(double value, int digits)
 
 std::vector<double> LogarithmicValues(int count, const std::array<double, 2>& range)
 {
-  constexpr double kMostOff = 0.2; // of a step
+  constexpr double kMaxOff = 0.2; // of a step
   constexpr int kMaxDigits = 15;
   const double step = (std::log(range[1]) - std::log(range[0])) / (count + 1);
   for (int level = -1; level <= kMaxDigits; ++level)
@@ -144,7 +144,7 @@ std::vector<double> LogarithmicValues(int count, const std::array<double, 2>& ra
       const double value = level < 0 ? NearestOf(std::array{ 1 }, exact)
         : level == 0                 ? NearestOf(std::array{ 1, 2, 5 }, exact)
                                      : WithDigits(exact, level);
-      if (!(std::fabs(std::log(value / exact)) <= kMostOff * step))
+      if (!(std::fabs(std::log(value / exact)) <= kMaxOff * step))
       {
         break;
       }

@@ -38,7 +38,7 @@ void SeedList::AddRoot(const std::optional<CurvePoint>& point, unsigned faces)
 {
   result.complete = result.complete && point.has_value();
   // A root beyond the end of a face, or of the cube, by less than its enclosure is on it.
-  if (point && Margin(TheShape, point->xi) >= kOutside)
+  if (point && Margin(shape_, point->xi) >= kOutside)
   {
     Add(*point, faces, Exact);
   }
@@ -51,7 +51,7 @@ void SeedList::AddUndecided(const std::optional<CurvePoint>& point, unsigned fac
   {
     result.open.push_back({ xi, faces });
   }
-  if (point && Margin(TheShape, point->xi) >= kOutside)
+  if (point && Margin(shape_, point->xi) >= kOutside)
   {
     Add(*point, faces, false);
   }

@@ -35,7 +35,7 @@ class SeedList
 public:
   /// `exact`: roots of the polynomials are the contour's.
   SeedList(Shape shape, bool exact, std::size_t mostOpen = SeedEffort{}.open)
-    : TheShape(shape)
+    : shape_(shape)
     , Exact(exact)
     , MostOpen(mostOpen)
   {
@@ -54,7 +54,7 @@ public:
 private:
   void Add(const CurvePoint& point, unsigned faces, bool certain);
 
-  Shape TheShape;
+  Shape shape_;
   bool Exact;
   std::size_t MostOpen;
 };

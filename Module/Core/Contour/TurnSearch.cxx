@@ -12,7 +12,7 @@ namespace
 {
 /// Boxes in which the root finder is to settle a part that could still be halved.
 constexpr int kTry = 48;
-/// Halvings of a piece before the root finder is asked, and at most.
+/// Subdivisions of a piece before the root finder is asked, and at most.
 constexpr int kFirstAsked = 3;
 constexpr int kMaxTurnDepth = 15;
 
@@ -52,7 +52,7 @@ void TurnSearch::Visit(CurvePart part, int depth)
   if (Left <= 0)
   {
     List.result.spent = true;
-    const Vec3 middle = TensorToReference(TheShape, (part.box.lower + part.box.upper) / 2.0);
+    const Vec3 middle = TensorToReference(shape_, (part.box.lower + part.box.upper) / 2.0);
     List.AddUndecided(Evaluator.Near(middle, 0.5), 0, middle);
     return;
   }
@@ -68,7 +68,7 @@ void TurnSearch::Visit(CurvePart part, int depth)
   }
   const int direction = DirectionOf(part);
   const double middle = (part.box.lower[direction] + part.box.upper[direction]) / 2.0;
-  CurvePart upper{ part.box, part.polynomials.Halve(direction) };
+  CurvePart upper{ part.box, part.polynomials.Subdivide(direction) };
   upper.box.lower[direction] = middle;
   part.box.upper[direction] = middle;
   Visit(std::move(part), depth + 1);
@@ -143,7 +143,7 @@ bool TurnSearch::Ask(const CurvePart& part, bool last)
   const auto toXi = [&](const Parameters& t)
   {
     return TensorToReference(
-      TheShape, Vec3(part.Between(0, t[0]), part.Between(1, t[1]), part.Between(2, t[2])));
+      shape_, Vec3(part.Between(0, t[0]), part.Between(1, t[1]), part.Between(2, t[2])));
   };
   for (const IsolatedRoot& root : found.roots)
   {

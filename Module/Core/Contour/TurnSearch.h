@@ -27,7 +27,7 @@ public:
   TurnSearch(CurveEvaluator& evaluator, Shape shape, const Vec3& along,
     const SeedAccuracy& accuracy, SeedList& list)
     : Evaluator(evaluator)
-    , TheShape(shape)
+    , shape_(shape)
     , Along(along)
     , Accuracy(accuracy)
     , List(list)
@@ -45,7 +45,7 @@ private:
   [[nodiscard]] BoxPolynomial TurnOver(const CurvePart& part) const;
 
   CurveEvaluator& Evaluator;
-  Shape TheShape;
+  Shape shape_;
   Vec3 Along;
   SeedAccuracy Accuracy;
   SeedList& List;

@@ -20,7 +20,7 @@ ElementUnits MakeElementUnits(const Vec3& low, const Vec3& high)
   double half = 0.0;
   for (int d = 0; d < 3; ++d)
   {
-    // Halved before they are added: the sum may overflow.
+    // Subdivided before they are added: the sum may overflow.
     units.centre[d] = low[d] / 2 + high[d] / 2;
     units.largest = std::max({ units.largest, std::fabs(low[d]), std::fabs(high[d]) });
     half = std::max({ half, high[d] - units.centre[d], units.centre[d] - low[d] });

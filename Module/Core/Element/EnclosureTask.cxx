@@ -14,7 +14,7 @@ namespace
 {
 /// The lanes' arithmetic adds 2^-1000 here and there in place of a closer look at underflow: what
 /// they work on has to be far above that.
-constexpr double kLeast = 0x1p-900;
+constexpr double kMin = 0x1p-900;
 
 /// Powers of 1 / size by which a value in the element's units becomes one in the world's.
 int PowersOfInverseSize(Mapping mapping)
@@ -35,7 +35,7 @@ int PowersOfInverseSize(Mapping mapping)
 bool IsUsableSize(double size)
 {
   int exponent = 0;
-  return size >= kLeast && size <= 1.0 / kLeast && std::frexp(size, &exponent) == 0.5;
+  return size >= kMin && size <= 1.0 / kMin && std::frexp(size, &exponent) == 0.5;
 }
 } // namespace
 
@@ -48,25 +48,25 @@ EnclosureProblem::EnclosureProblem(
   {
     return;
   }
-  TheTask.mapSpace = mesh.map.SpaceOf(element);
-  TheTask.mapCoefficients = mesh.map.Coefficients(element);
-  std::copy_n(&mesh.centre[3 * static_cast<std::size_t>(element)], 3, TheTask.centre);
-  TheTask.inverseSize = 1.0 / Size;
-  TheTask.uncertainty = uncertainty == 0.0 ? 0.0 : rounding::Above(uncertainty / Size);
-  TheTask.space = field.values.SpaceOf(element);
-  TheTask.coefficients = field.values.Coefficients(element);
-  TheTask.components = field.values.components;
-  TheTask.mapping = field.mapping;
+  task_.mapSpace = mesh.map.SpaceOf(element);
+  task_.mapCoefficients = mesh.map.Coefficients(element);
+  std::copy_n(&mesh.centre[3 * static_cast<std::size_t>(element)], 3, task_.centre);
+  task_.inverseSize = 1.0 / Size;
+  task_.uncertainty = uncertainty == 0.0 ? 0.0 : rounding::Above(uncertainty / Size);
+  task_.space = field.values.SpaceOf(element);
+  task_.coefficients = field.values.Coefficients(element);
+  task_.components = field.values.components;
+  task_.mapping = field.mapping;
 
   const std::span coefficients(
-    TheTask.coefficients, static_cast<std::size_t>(TheTask.components) * TheTask.space.Modes());
+    task_.coefficients, static_cast<std::size_t>(task_.components) * task_.space.Modes());
   double largest = 0.0;
   for (const double c : coefficients)
   {
     largest = std::max(largest, std::fabs(c));
   }
   IsZero = std::ranges::all_of(coefficients, [](double c) { return c == 0.0; });
-  if (largest > 0.0 && largest < kLeast)
+  if (largest > 0.0 && largest < kMin)
   {
     const int exponent = std::ilogb(largest);
     Factor = std::ldexp(1.0, exponent);
@@ -74,7 +74,7 @@ EnclosureProblem::EnclosureProblem(
     Scaled.resize(coefficients.size());
     std::ranges::transform(
       coefficients, Scaled.begin(), [exponent](double c) { return std::ldexp(c, -exponent); });
-    TheTask.coefficients = Scaled.data();
+    task_.coefficients = Scaled.data();
   }
 }
 
@@ -95,7 +95,7 @@ Interval EnclosureProblem::ToWorld(double middle, double radius, bool isDerivati
     value *= Factor;
   }
   // One factor after the other: the cube of a size may overflow where the quotient does not.
-  for (int k = isDerivative ? -1 : 0; k < PowersOfInverseSize(TheTask.mapping); ++k)
+  for (int k = isDerivative ? -1 : 0; k < PowersOfInverseSize(task_.mapping); ++k)
   {
     value = value / Size;
   }

@@ -49,12 +49,12 @@ public:
   /// Whether the element's size is one that the lanes' arithmetic takes: a power of two from 2^-900
   /// to 2^900. Else there is no task.
   [[nodiscard]] bool IsUsable() const { return Usable; }
-  [[nodiscard]] const EnclosureTask& Task() const { return TheTask; }
+  [[nodiscard]] const EnclosureTask& Task() const { return task_; }
   /// A value, or a derivative, that the lanes enclosed; everything where they knew nothing.
   [[nodiscard]] Interval ToWorld(double middle, double radius, bool isDerivative = false) const;
 
 private:
-  EnclosureTask TheTask{};
+  EnclosureTask task_{};
   std::vector<double> Scaled; ///< the field's coefficients, where they are tiny
   double Factor = 1.0;        ///< the true coefficients are those in use times this
   double Size = 1.0;

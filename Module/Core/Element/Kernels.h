@@ -67,13 +67,13 @@ inline constexpr double kKeepJacobian = 3e-3;
 
 /// A xi is accepted where Phi(xi) is the point up to this many times the uncertainty, per
 /// coordinate; proven from the last correction, or evaluated.
-inline constexpr double kMostMiss = 4.0;
+inline constexpr double kMaxMiss = 4.0;
 
 /// What Newton's iteration found for a point.
 enum class NewtonStatus : std::uint8_t
 {
   RootOutside = 0, ///< converged to a xi beyond the faces' tolerance
-  RootInside = 1,  ///< a xi in the shape or within the faces' tolerance; kMostMiss holds there
+  RootInside = 1,  ///< a xi in the shape or within the faces' tolerance; kMaxMiss holds there
   NotConverged = 2
 };
 

@@ -40,7 +40,7 @@ class Rounds
 {
 public:
   Rounds(const Mesh& mesh, const RangeQuestion& question, const RangeEffort& effort)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Question(question)
     , Effort(effort)
     , Findings(static_cast<std::size_t>(mesh.Elements()))
@@ -71,7 +71,7 @@ public:
         if (finding.range.finite && !finding.range.outer.IsFinite() && !finding.givenUp)
         {
           finding.givenUp = (isExpression && finding.range.boxes >= kMaxUnbounded) ||
-            ValidityOf(TheMesh, static_cast<int>(e), Effort).validity != Validity::Valid;
+            ValidityOf(mesh_, static_cast<int>(e), Effort).validity != Validity::Valid;
         }
       });
   }
@@ -110,7 +110,7 @@ private:
   void ChooseUnits();
   void Gather(const std::vector<int>& looked);
 
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   RangeQuestion Question;
   RangeEffort Effort;
   std::vector<ElementFinding> Findings;
@@ -124,7 +124,7 @@ private:
 /// One element in a round: until no value may lie beyond what is attained by more than `gap`.
 ElementFinding Rounds::Look(int element, double gap, int budget) const
 {
-  const ElementRange range(TheMesh, element, Question);
+  const ElementRange range(mesh_, element, Question);
   ElementFinding finding;
   finding.exponent = range.Exponent();
   finding.range.finite = range.IsFinite();

@@ -96,7 +96,7 @@ HWY_NOINLINE Point<T> DampedStep(const Matrix<T>& jacobian, const Point<T>& resi
 
 /// The verdicts on a pack of which not every lane is simply inside.
 template <template <class, class, bool> class Modes, class Order, class T>
-HWY_NOINLINE void Judge(const InverseProblem& problem, int modeCount, const Point<T>& y,
+HWY_NOINLINE void Classify(const InverseProblem& problem, int modeCount, const Point<T>& y,
   const NewtonState<T>& polished, const Point<T>& before, const Point<T>& missBefore,
   const T& length, const InverseResult& out, int at)
 {
@@ -114,7 +114,7 @@ HWY_NOINLINE void Judge(const InverseProblem& problem, int modeCount, const Poin
       auto small = length >= zero;
       ForEachAxis(
         [&](auto c) PIXELEXACT_INLINED {
-          small = And(small, Abs(miss.x[c]) <= Traits::Splat(kMostMiss * problem.uncertainty[c]));
+          small = And(small, Abs(miss.x[c]) <= Traits::Splat(kMaxMiss * problem.uncertainty[c]));
         });
       return small;
     };
@@ -257,10 +257,10 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   else
   {
     // Copies, so that what most packs need stays in registers.
-    const NewtonState<T> judged = state;
+    const NewtonState<T> classified = state;
     const Point<T> unpolished = before;
     const Point<T> miss = residual;
-    Judge<Modes, Order>(problem, modeCount, y, judged, unpolished, miss, length, out, at);
+    Classify<Modes, Order>(problem, modeCount, y, classified, unpolished, miss, length, out, at);
   }
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -82,9 +82,9 @@ std::array<double, 3> LeastNorm(const std::vector<AffineForm>& v)
 } // namespace
 
 QuantityFunction::QuantityFunction(const RangeQuestion& question)
-  : TheQuantity(question.quantity)
-  , TheMapping(question.field && question.quantity != Quantity::Jacobian ? question.field->mapping
-                                                                         : Mapping::Identity)
+  : quantity_(question.quantity)
+  , mapping_(question.field && question.quantity != Quantity::Jacobian ? question.field->mapping
+                                                                       : Mapping::Identity)
   , Index(static_cast<std::size_t>(
       question.quantity == Quantity::GradientComponent ? question.direction : question.component))
 {
@@ -92,24 +92,24 @@ QuantityFunction::QuantityFunction(const RangeQuestion& question)
 
 bool QuantityFunction::IsPlain() const
 {
-  return TheQuantity == Quantity::Component && TheMapping == Mapping::Identity;
+  return quantity_ == Quantity::Component && mapping_ == Mapping::Identity;
 }
 
 bool QuantityFunction::IsMagnitude() const
 {
-  return TheQuantity == Quantity::Magnitude || TheQuantity == Quantity::GradientMagnitude;
+  return quantity_ == Quantity::Magnitude || quantity_ == Quantity::GradientMagnitude;
 }
 
 bool QuantityFunction::NeedsMap() const
 {
-  return TheMapping != Mapping::Identity ||
-    (TheQuantity != Quantity::Component && TheQuantity != Quantity::Magnitude);
+  return mapping_ != Mapping::Identity ||
+    (quantity_ != Quantity::Component && quantity_ != Quantity::Magnitude);
 }
 
 bool QuantityFunction::IsOfZeroField(std::span<const BoxPolynomial> polynomials) const
 {
   const bool withMap = NeedsMap() && polynomials.size() > kOfMap;
-  return TheQuantity != Quantity::Jacobian &&
+  return quantity_ != Quantity::Jacobian &&
     std::ranges::all_of(polynomials.subspan(withMap ? kOfMap : 0), &BoxPolynomial::IsZero);
 }
 
@@ -118,7 +118,7 @@ void QuantityFunction::ToWorld(std::vector<BoxPolynomial>& polynomials) const
   /// Of an entry's magnitude: rounding of the conversion is less.
   constexpr double kConstant = 0x1p-40;
   // What comes out has to be told from what goes in by its number.
-  if (!NeedsMap() || TheQuantity == Quantity::Jacobian || polynomials.size() >= 2 * kOfMap)
+  if (!NeedsMap() || quantity_ == Quantity::Jacobian || polynomials.size() >= 2 * kOfMap)
   {
     return;
   }
@@ -169,7 +169,7 @@ void QuantityFunction::ToWorld(std::vector<BoxPolynomial>& polynomials) const
 
 int QuantityFunction::PowerOfLength() const
 {
-  switch (TheQuantity)
+  switch (quantity_)
   {
     case Quantity::Jacobian:
       return 3;
@@ -179,7 +179,7 @@ int QuantityFunction::PowerOfLength() const
     default:
       break;
   }
-  switch (TheMapping)
+  switch (mapping_)
   {
     case Mapping::Covariant:
       return -1;
@@ -200,12 +200,12 @@ int QuantityFunction::TellingDifference() const
 template <class T>
 std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
 {
-  if (TheQuantity == Quantity::Jacobian)
+  if (quantity_ == Quantity::Jacobian)
   {
     return { Determinant(p) };
   }
   const bool gradient =
-    TheQuantity == Quantity::GradientComponent || TheQuantity == Quantity::GradientMagnitude;
+    quantity_ == Quantity::GradientComponent || quantity_ == Quantity::GradientMagnitude;
   if (!NeedsMap() || p.size() < kOfMap) // as ToWorld leaves them
   {
     return { p.begin(), p.end() };
@@ -215,7 +215,7 @@ std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
   const T inverse = Reciprocal(Determinant(J));
   const auto component = [&](std::size_t k) -> T
   {
-    switch (gradient ? Mapping::Covariant : TheMapping)
+    switch (gradient ? Mapping::Covariant : mapping_)
     {
       case Mapping::Covariant:
         return Covariant(J, v, k) * inverse;
@@ -235,7 +235,7 @@ std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
     return all;
   }
   // Of a density only the component sought is there.
-  return { component(!gradient && TheMapping == Mapping::Density ? 0 : Index) };
+  return { component(!gradient && mapping_ == Mapping::Density ? 0 : Index) };
 }
 
 Interval QuantityFunction::Enclose(std::span<const BoxPolynomial> polynomials) const

@@ -39,8 +39,8 @@ private:
   [[nodiscard]] bool NeedsMap() const;
   [[nodiscard]] bool IsMagnitude() const;
 
-  Quantity TheQuantity;
-  Mapping TheMapping;
+  Quantity quantity_;
+  Mapping mapping_;
   std::size_t Index; ///< of the component that is sought among those that Combine could give
 };
 } // namespace pixelexact

@@ -37,8 +37,8 @@ public:
   {
     return (!Map || Map->finite) && (!Field || Field->finite);
   }
-  [[nodiscard]] int Level() const override { return TheLevel; }
-  [[nodiscard]] int Exponent() const override { return TheExponent; }
+  [[nodiscard]] int Level() const override { return level_; }
+  [[nodiscard]] int Exponent() const override { return exponent_; }
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
     const PieceForm::Piece& piece, const Box3& within) const override;
 
@@ -46,8 +46,8 @@ private:
   std::optional<ScaledModes> Map;
   std::optional<ScaledModes> Field;
   std::vector<RangeIngredient> Ingredients;
-  int TheExponent = 0;
-  int TheLevel = 0;
+  int exponent_ = 0;
+  int level_ = 0;
 };
 
 FieldQuantity::FieldQuantity(const Mesh& mesh, int element, const RangeQuestion& question)
@@ -90,8 +90,8 @@ FieldQuantity::FieldQuantity(const Mesh& mesh, int element, const RangeQuestion&
       }
     }
   }
-  TheExponent = fieldExponent + PowerOfLength() * mapExponent;
-  TheLevel = IsFinite() ? LevelFor(Ingredients) : 0;
+  exponent_ = fieldExponent + PowerOfLength() * mapExponent;
+  level_ = IsFinite() ? LevelFor(Ingredients) : 0;
 }
 
 std::vector<BoxPolynomial> FieldQuantity::Polynomials(
@@ -100,7 +100,7 @@ std::vector<BoxPolynomial> FieldQuantity::Polynomials(
   std::vector<BoxPolynomial> polynomials;
   for (const RangeIngredient& ingredient : Ingredients)
   {
-    polynomials.push_back(ingredient.Over(TheLevel, piece, within));
+    polynomials.push_back(ingredient.Over(level_, piece, within));
   }
   ToWorld(polynomials);
   return polynomials;
@@ -153,12 +153,12 @@ ElementRange::ElementRange(
   : Part(part)
 {
   RequireAnswer(question);
-  TheQuantity = QuantityOn(mesh, element, question);
+  quantity_ = QuantityOn(mesh, element, question);
 }
 
 void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
 {
-  const int level = TheQuantity->Level();
+  const int level = quantity_->Level();
   const int pieces = 1 << level;
   for (int i = 0; i < pieces * pieces * pieces; ++i)
   {
@@ -170,10 +170,10 @@ void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
       continue;
     }
     RangeBox box;
-    box.polynomials = TheQuantity->Polynomials(piece, within);
+    box.polynomials = quantity_->Polynomials(piece, within);
     if (pieces > 2)
     {
-      box.remake = [this, piece, within] { return TheQuantity->Polynomials(piece, within); };
+      box.remake = [this, piece, within] { return quantity_->Polynomials(piece, within); };
     }
     visit(std::move(box));
   }
@@ -181,7 +181,7 @@ void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
 
 std::unique_ptr<RangeSearch> ElementRange::Begin(const Interval& known) const
 {
-  auto search = std::make_unique<RangeSearch>(*TheQuantity, known);
+  auto search = std::make_unique<RangeSearch>(*quantity_, known);
   ForEachBox([&search](RangeBox box) { search->Add(std::move(box)); });
   return search;
 }

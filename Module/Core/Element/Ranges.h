@@ -61,18 +61,18 @@ public:
   ElementRange(
     const Mesh& mesh, int element, const RangeQuestion& question, const Box3& part = kWholeElement);
   /// False where a coefficient of the field is NaN or infinite: nothing can be said then.
-  [[nodiscard]] bool IsFinite() const { return TheQuantity->IsFinite(); }
+  [[nodiscard]] bool IsFinite() const { return quantity_->IsFinite(); }
   /// The function, and the boxes that cover the part, in units of 2^Exponent().
-  [[nodiscard]] const RangeFunction& Function() const { return *TheQuantity; }
+  [[nodiscard]] const RangeFunction& Function() const { return *quantity_; }
   void ForEachBox(const std::function<void(RangeBox)>& visit) const;
   /// The search with these boxes. `known` as RangeSearch takes it, in these units.
   [[nodiscard]] std::unique_ptr<RangeSearch> Begin(
     const Interval& known = CertifiedRange{}.attained) const;
-  [[nodiscard]] int Exponent() const { return TheQuantity->Exponent(); }
+  [[nodiscard]] int Exponent() const { return quantity_->Exponent(); }
 
 private:
   Box3 Part;
-  std::unique_ptr<const ElementQuantity> TheQuantity;
+  std::unique_ptr<const ElementQuantity> quantity_;
 };
 
 /// The range of a quantity over an element, or over a part of it given as a box in eta (see

@@ -19,10 +19,10 @@ HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
 /// A first box's size: the ends' distance, and a part of the largest of them where they agree, for
-/// the bend of the line between. Not below kLeastRadius, for the error of the ends' xi.
+/// the bend of the line between. Not below kMinRadius, for the error of the ends' xi.
 inline constexpr double kOwnShare = 1.25;
 inline constexpr double kLargestShare = 0.125;
-inline constexpr double kLeastRadius = 0x1p-32;
+inline constexpr double kMinRadius = 0x1p-32;
 /// Each box four times as large as the one before.
 inline constexpr int kSegmentBoxes = 3;
 inline constexpr double kGrowth = 4.0;
@@ -48,7 +48,7 @@ SegmentBox BoxOfSegments(const EnclosureTask& task, const BallKernels& kernels,
     xi.x[d] = half * (xiFrom.x[d] + xiTo.x[d]);
     size.x[d] = half * Abs(xiTo.x[d] - xiFrom.x[d]);
   }
-  const Lanes largest = MulAdd(Splat(kLargestShare), MaxAbs(size), Splat(kLeastRadius));
+  const Lanes largest = MulAdd(Splat(kLargestShare), MaxAbs(size), Splat(kMinRadius));
   for (int d = 0; d < 3; ++d)
   {
     size.x[d] = MulAdd(Splat(kOwnShare), size.x[d], largest);

@@ -39,8 +39,8 @@ std::vector<int> NumbersIn(const Space& space, const Space& low)
 
 Truncation::Truncation(const Field& field, int order)
   : Name(field.name)
-  , TheMapping(field.mapping)
-  , TheOrder(order)
+  , mapping_(field.mapping)
+  , order_(order)
 {
   RequirePolynomials(field, "truncations");
   const Expansion& values = field.values;
@@ -85,12 +85,12 @@ Truncation::Truncation(const Field& field, int order)
 
 Field Truncation::Kept() const
 {
-  return { Name, Low.View(), TheMapping };
+  return { Name, Low.View(), mapping_ };
 }
 
 Field Truncation::Dropped() const
 {
-  return { Name, High.View(), TheMapping };
+  return { Name, High.View(), mapping_ };
 }
 
 double LargestChange(

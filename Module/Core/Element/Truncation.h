@@ -26,15 +26,15 @@ public:
   [[nodiscard]] Field Kept() const;
   [[nodiscard]] Field Dropped() const;
 
-  [[nodiscard]] int Order() const { return TheOrder; }
+  [[nodiscard]] int Order() const { return order_; }
   /// Modes of a component, summed over the elements.
   [[nodiscard]] std::int64_t Modes() const { return AllModes; }
   [[nodiscard]] std::int64_t DroppedModes() const { return Lost; }
 
 private:
   std::string Name;
-  Mapping TheMapping;
-  int TheOrder;
+  Mapping mapping_;
+  int order_;
   std::int64_t AllModes = 0;
   std::int64_t Lost = 0;
   OwnedExpansion Low;

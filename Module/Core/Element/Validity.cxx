@@ -13,7 +13,7 @@ namespace pixelexact
 namespace
 {
 /// 64 MiB an element.
-constexpr std::size_t kMostHeld = std::size_t{ 1 } << 23U;
+constexpr std::size_t kMaxHeld = std::size_t{ 1 } << 23U;
 /// Where a box's enclosure reaches below zero by less than this many times the width of the
 /// enclosure of a point, subdivision finds no point that is proven to be negative.
 constexpr double kRoundingOnly = 8.0;
@@ -46,7 +46,7 @@ public:
         Found.outer = Join(Found.outer, lower.bound);
         continue;
       }
-      RangeBox upper = lower.Halve(Function);
+      RangeBox upper = lower.Subdivide(Function);
       Add(std::move(lower));
       Add(std::move(upper));
     }
@@ -90,7 +90,7 @@ private:
   /// wait.
   RangeBox Take()
   {
-    if (Held <= kMostHeld)
+    if (Held <= kMaxHeld)
     {
       std::swap(
         *std::ranges::min_element(Boxes,

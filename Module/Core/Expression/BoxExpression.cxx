@@ -105,7 +105,7 @@ BoxJet::BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
   : List(std::move(list))
   , Code(code)
   , Leaves(List->leaves, fields, numbers, mesh, element)
-  , TheMesh(mesh)
+  , mesh_(mesh)
   , Element(element)
 {
   Leaves.NeedJet(coordinateErrors, HasSeconds());
@@ -160,7 +160,7 @@ void BoxJet::Evaluate(
   std::vector<double> storage(4 * stride);
   const std::array<double*, 4> out{ storage.data(), storage.data() + stride,
     storage.data() + 2 * stride, storage.data() + 3 * stride };
-  Code.Evaluate(TheMesh, Element, { lanes.View() }, out);
+  Code.Evaluate(mesh_, Element, { lanes.View() }, out);
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     values[i] = out[0][i];

@@ -71,7 +71,7 @@ private:
   std::shared_ptr<const NodeList> List;
   const CompiledGraph& Code;
   BoxLeaves Leaves;
-  Mesh TheMesh;
+  Mesh mesh_;
   int Element;
 };
 } // namespace pixelexact

@@ -295,7 +295,7 @@ BoxValue BoxLeaves::LeafOf(
     case Operation::Coordinate:
     {
       BoxValue coordinate = Scaled(at(OfMap[a].value), unit) +
-        BoxValue(TheMesh.centre[3 * static_cast<std::size_t>(Element) + a]);
+        BoxValue(mesh_.centre[3 * static_cast<std::size_t>(Element) + a]);
       coordinate.error += OfCoordinates[leaf.a];
       return coordinate;
     }
@@ -327,7 +327,7 @@ BoxValue BoxLeaves::LeafOf(
 
 double BoxLeaves::UnitOfMap() const
 {
-  return std::ldexp(TheMesh.size[static_cast<std::size_t>(Element)], Map.exponent);
+  return std::ldexp(mesh_.size[static_cast<std::size_t>(Element)], Map.exponent);
 }
 
 BoxValue BoxLeaves::FieldValue(

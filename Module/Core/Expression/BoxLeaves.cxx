@@ -69,7 +69,7 @@ double SecondsError(const ScaledModes& modes, int first, int count)
 BoxLeaves::BoxLeaves(std::span<const Graph::Node> leaves, std::span<const Field* const> fields,
   std::span<const std::int64_t> numbers, const Mesh& mesh, int element)
   : Leaves(leaves.begin(), leaves.end())
-  , TheMesh(mesh)
+  , mesh_(mesh)
   , Element(element)
   , Map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3)
 {
@@ -102,7 +102,7 @@ BoxLeaves::BoxLeaves(std::span<const Graph::Node> leaves, std::span<const Field*
   }
   if (Finite)
   {
-    TheLevel = LevelFor(Ingredients);
+    level_ = LevelFor(Ingredients);
   }
 }
 
@@ -198,7 +198,7 @@ void BoxLeaves::NeedJet(const Vec3& coordinateErrors, bool withSeconds)
   {
     return;
   }
-  TheLevel = LevelFor(Ingredients);
+  level_ = LevelFor(Ingredients);
   for (const RangeIngredient& ingredient : Ingredients)
   {
     OfKernels.push_back(ingredient.RoundingInKernels(0, {}));

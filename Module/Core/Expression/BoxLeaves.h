@@ -41,7 +41,7 @@ public:
 
   [[nodiscard]] bool IsFinite() const { return Finite; }
   /// The level on which all of the polynomials are converted.
-  [[nodiscard]] int Level() const { return TheLevel; }
+  [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
   /// `polynomials`: enclosures of those, in their order. Writes one value for each leaf, and d Phi
@@ -91,7 +91,7 @@ private:
     std::span<const BoxValue> thirds, const Places& places);
 
   std::vector<Graph::Node> Leaves;
-  Mesh TheMesh;
+  Mesh mesh_;
   int Element;
   ScaledModes Map;
   std::array<Places, 3> OfMap;
@@ -101,7 +101,7 @@ private:
   bool NeedsXi = false;
   bool NeedsSeconds = false;
   bool NeedsThirds = false;
-  int TheLevel = 0;
+  int level_ = 0;
   bool Finite = true;
   Vec3 OfCoordinates{ 0.0 };
   std::vector<double> OfKernels;

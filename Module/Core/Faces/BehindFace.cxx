@@ -70,7 +70,7 @@ class Sink final : public PreimageSink
 {
 public:
   Sink(const Mesh& mesh, int element, std::span<const Vec3> normals, std::span<BehindFace> behind)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Element(element)
     , Normals(normals)
     , Behind(behind)
@@ -101,8 +101,8 @@ private:
   /// Whether the point is on a face of the element that looks against the normal.
   [[nodiscard]] bool Faces(const Preimage& preimage, const Vec3& normal) const
   {
-    const Mat3 jacobian = JacobiansAt(TheMesh, preimage.element, std::span(&preimage.xi, 1))[0];
-    for (const FacePlane& plane : FacePlanesOf(TheMesh.ShapeOf(preimage.element)))
+    const Mat3 jacobian = JacobiansAt(mesh_, preimage.element, std::span(&preimage.xi, 1))[0];
+    for (const FacePlane& plane : FacePlanesOf(mesh_.ShapeOf(preimage.element)))
     {
       if (std::fabs(plane.Distance(preimage.xi)) <= kOnFace &&
         glm::dot(OutwardNormal(jacobian, plane), normal) < kOpposite)
@@ -113,7 +113,7 @@ private:
     return false;
   }
 
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   int Element;
   std::span<const Vec3> Normals;
   std::span<BehindFace> Behind;

@@ -33,19 +33,19 @@ public:
   Search(const ElementIndex& index, const FaceGrids& grids, std::span<const Vec3> uncertainty,
     std::span<const ElementFace> faces, std::span<std::atomic<bool>> touched)
     : Index(index)
-    , TheMesh(index.GetMesh())
+    , mesh_(index.GetMesh())
     , Grids(grids)
     , Uncertainty(uncertainty)
     , Faces(faces)
     , Touched(touched)
-    , Sampler(TheMesh)
-    , Projection(TheMesh, grids)
+    , Sampler(mesh_)
+    , Projection(mesh_, grids)
   {
   }
 
   Evidence Look(const ElementFace& face)
   {
-    const Space& space = TheMesh.map.SpaceOf(face.element);
+    const Space& space = mesh_.map.SpaceOf(face.element);
     const int corners = ReferenceFaceOf(space.shape, face.face).corners;
     Sampler.Sample(face.element, face.face, Grids.Open(corners, space.MaxOrder()), Samples);
     Evidence evidence;
@@ -78,7 +78,7 @@ public:
 private:
   [[nodiscard]] bool HasArea(int element) const
   {
-    const Vec3 inUnits = Uncertainty[element] / TheMesh.size[element];
+    const Vec3 inUnits = Uncertainty[element] / mesh_.size[element];
     const double most = 2.0 * std::max({ inUnits.x, inUnits.y, inUnits.z });
     return std::ranges::any_of(Samples,
       [most](const FaceSample& sample)
@@ -130,7 +130,7 @@ private:
   }
 
   const ElementIndex& Index;
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   const FaceGrids& Grids;
   std::span<const Vec3> Uncertainty;
   std::span<const ElementFace> Faces;

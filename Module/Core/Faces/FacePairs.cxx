@@ -39,7 +39,7 @@ class Comparison
 {
 public:
   Comparison(const Mesh& mesh, const FaceGrids& grids, std::span<const Vec3> uncertainty)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Grids(grids)
     , Uncertainty(uncertainty)
     , Sampler(mesh)
@@ -55,7 +55,7 @@ public:
     }
     Tolerance = Uncertainty[one.element] + Uncertainty[other.element];
     const int order = std::max(
-      TheMesh.map.SpaceOf(one.element).MaxOrder(), TheMesh.map.SpaceOf(other.element).MaxOrder());
+      mesh_.map.SpaceOf(one.element).MaxOrder(), mesh_.map.SpaceOf(other.element).MaxOrder());
     const auto points = Grids.Closed(corners, order);
     Sampler.Sample(one.element, one.face, points, Mine);
     const auto cornersOfMine = CornersOf(one);
@@ -86,7 +86,7 @@ public:
 private:
   [[nodiscard]] const ReferenceFace& Reference(const ElementFace& face) const
   {
-    return ReferenceFaceOf(TheMesh.ShapeOf(face.element), face.face);
+    return ReferenceFaceOf(mesh_.ShapeOf(face.element), face.face);
   }
 
   std::array<Vec3, 4> CornersOf(const ElementFace& face)
@@ -133,7 +133,7 @@ private:
     return sides < 0.0;
   }
 
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   const FaceGrids& Grids;
   std::span<const Vec3> Uncertainty;
   FaceSampler Sampler;

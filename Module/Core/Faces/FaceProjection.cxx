@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kMostSteps = 20;
+constexpr int kMaxSteps = 20;
 /// After a step smaller than this, of the face, the next one is of rounding size.
 constexpr double kSmallStep = 1e-10;
 
@@ -20,9 +20,9 @@ constexpr double kSmallStep = 1e-10;
 /// thin faces are not lost in the rounding of their length.
 Vec3 Weights(const Vec3& tolerance)
 {
-  constexpr double kLeastPart = 1e-8; // a coordinate may be known exactly, as 0
+  constexpr double kMinPart = 1e-8; // a coordinate may be known exactly, as 0
   const double largest = std::max({ tolerance.x, tolerance.y, tolerance.z });
-  return largest / glm::max(tolerance, Vec3(kLeastPart * largest));
+  return largest / glm::max(tolerance, Vec3(kMinPart * largest));
 }
 
 /// One step towards the point of the tangent plane that is nearest to x; not finite where the
@@ -50,7 +50,7 @@ bool AreOpposite(const Vec3& a, const Vec3& b)
 void FaceProjection::Find(int element, int face, std::span<const FaceSample> points,
   const Vec3& tolerance, std::vector<char>& found)
 {
-  const Space& space = TheMesh.map.SpaceOf(element);
+  const Space& space = mesh_.map.SpaceOf(element);
   const ReferenceFace& reference = ReferenceFaceOf(space.shape, face);
   const auto grid = Grids.Closed(reference.corners, space.MaxOrder());
   Sampler.Sample(element, face, grid, Samples);
@@ -69,7 +69,7 @@ void FaceProjection::Find(int element, int face, std::span<const FaceSample> poi
     At.push_back(start);
   }
   found.assign(points.size(), 0);
-  Left.assign(points.size(), kMostSteps);
+  Left.assign(points.size(), kMaxSteps);
   for (bool open = true; open;)
   {
     Sampler.Sample(element, face, At, Samples);
@@ -86,7 +86,7 @@ void FaceProjection::Find(int element, int face, std::span<const FaceSample> poi
       {
         continue;
       }
-      const FacePoint by = Step(Samples[i], towards / TheMesh.size[element], weights);
+      const FacePoint by = Step(Samples[i], towards / mesh_.size[element], weights);
       const FacePoint next = reference.Nearest({ At[i][0] + by[0], At[i][1] + by[1] });
       const double moved = std::max(std::fabs(next[0] - At[i][0]), std::fabs(next[1] - At[i][1]));
       // Written so that a step that is not a number is the last.

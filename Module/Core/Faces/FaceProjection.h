@@ -14,7 +14,7 @@ class FaceProjection
 {
 public:
   FaceProjection(const Mesh& mesh, const FaceGrids& grids)
-    : TheMesh(mesh)
+    : mesh_(mesh)
     , Grids(grids)
     , Sampler(mesh)
   {
@@ -28,7 +28,7 @@ public:
     std::vector<char>& found);
 
 private:
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   const FaceGrids& Grids;
   FaceSampler Sampler;
   std::vector<FaceSample> Samples;

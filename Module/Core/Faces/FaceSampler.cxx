@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kLeastOpenPoints = 4; ///< along each direction
+constexpr int kMinOpenPoints = 4; ///< along each direction
 
 std::vector<FacePoint> Grid(const std::vector<long double>& line, int corners)
 {
@@ -36,7 +36,7 @@ std::vector<FacePoint> Grid(const std::vector<long double>& line, int corners)
 void FaceSampler::Sample(
   int element, int face, std::span<const FacePoint> points, std::vector<FaceSample>& samples)
 {
-  const Space& space = TheMesh.map.SpaceOf(element);
+  const Space& space = mesh_.map.SpaceOf(element);
   const ReferenceFace& reference = ReferenceFaceOf(space.shape, face);
   const auto count = static_cast<int>(points.size());
   const auto stride = static_cast<std::size_t>(PaddedCount(count));
@@ -54,10 +54,10 @@ void FaceSampler::Sample(
       arrays[12 + d][i] = xi[d];
     }
   }
-  KernelsFor(space).gradient(space, TheMesh.map.Coefficients(element), 3,
+  KernelsFor(space).gradient(space, mesh_.map.Coefficients(element), 3,
     { { arrays[12], arrays[13], arrays[14] }, count }, arrays, arrays + 3);
-  const double size = TheMesh.size[element];
-  const double* centre = &TheMesh.centre[3 * static_cast<std::size_t>(element)];
+  const double size = mesh_.size[element];
+  const double* centre = &mesh_.centre[3 * static_cast<std::size_t>(element)];
   samples.resize(points.size());
   for (int i = 0; i < count; ++i)
   {
@@ -84,7 +84,7 @@ FaceGrids::FaceGrids(int highestOrder)
   for (int order = 1; order <= std::max(highestOrder, 1); ++order)
   {
     const auto closed = GaussLobattoPoints(order + 1);
-    const auto open = GaussPoints(std::max(kLeastOpenPoints, (order + 2) / 2 * 2));
+    const auto open = GaussPoints(std::max(kMinOpenPoints, (order + 2) / 2 * 2));
     for (int corners = 3; corners <= 4; ++corners)
     {
       ClosedGrids[corners - 3].push_back(Grid(closed, corners));

@@ -23,7 +23,7 @@ class FaceSampler
 {
 public:
   explicit FaceSampler(const Mesh& mesh)
-    : TheMesh(mesh)
+    : mesh_(mesh)
   {
   }
 
@@ -32,7 +32,7 @@ public:
     int element, int face, std::span<const FacePoint> points, std::vector<FaceSample>& samples);
 
 private:
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   std::vector<double> Lanes;
 };
 

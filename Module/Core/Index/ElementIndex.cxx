@@ -20,12 +20,12 @@ Box3 EmptyBox()
 } // namespace
 
 ElementIndex::ElementIndex(const Mesh& mesh)
-  : TheMesh(mesh)
+  : mesh_(mesh)
   , Boxes(static_cast<std::size_t>(mesh.Elements()))
   , Made(new std::atomic<const ElementBounds*>[static_cast<std::size_t>(mesh.Elements())]())
 {
   tbb::parallel_for(0, mesh.Elements(),
-    [&](int e) { Boxes[static_cast<std::size_t>(e)] = MakeElementBox(TheMesh, e); });
+    [&](int e) { Boxes[static_cast<std::size_t>(e)] = MakeElementBox(mesh_, e); });
   MeshBounds = EmptyBox();
   for (const Box3& box : Boxes)
   {
@@ -67,7 +67,7 @@ void ElementIndex::FindAlong(const Segment& segment, std::vector<int>& elements)
 const ElementBounds& ElementIndex::MakeBounds(int element) const
 {
   const StageScope scope(Stage::Bounds);
-  auto mine = std::make_unique<const ElementBounds>(MakeElementBounds(TheMesh, element));
+  auto mine = std::make_unique<const ElementBounds>(MakeElementBounds(mesh_, element));
   const ElementBounds* before = nullptr;
   // Two threads may make the same bounds; they are equal, and the first stay.
   if (!Made[static_cast<std::size_t>(element)].compare_exchange_strong(
@@ -92,7 +92,7 @@ std::shared_ptr<ElementTree> ElementIndex::TreeOf(int element) const
   auto& tree = Trees[static_cast<std::size_t>(element)];
   if (!tree)
   {
-    tree = std::make_shared<ElementTree>(TheMesh, element, bounds, Grown);
+    tree = std::make_shared<ElementTree>(mesh_, element, bounds, Grown);
   }
   return tree;
 }

@@ -30,7 +30,7 @@ public:
   ElementIndex(const ElementIndex&) = delete;
   ElementIndex& operator=(const ElementIndex&) = delete;
 
-  [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
+  [[nodiscard]] const Mesh& GetMesh() const { return mesh_; }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
   [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
   /// Holds the element's image, widened by its uncertainty.
@@ -70,7 +70,7 @@ public:
 private:
   const ElementBounds& MakeBounds(int element) const;
 
-  Mesh TheMesh;
+  Mesh mesh_;
   Box3 MeshBounds;
   std::vector<Box3> Boxes;
   std::unique_ptr<Bvh> Hierarchy;

@@ -63,7 +63,7 @@ void CollectAlong(const RTCOccludedFunctionNArguments* arguments)
 /// ends (at most 1 in size), by twice that for the way to the other; Embree takes the sides of a
 /// box to be off by 2^-23; most of the rest is for the segment's slack.
 constexpr float kBoxSlack = 0x1p-20F;
-constexpr double kMostSlack = 0x1p-21;
+constexpr double kMaxSlack = 0x1p-21;
 
 /// Floats are precise to 2^-24 relative to coordinates of at most 1; Embree's own distances are
 /// sums of a few such terms.
@@ -193,7 +193,7 @@ void Bvh::Query(const Box3& region, std::vector<int>& out) const
 
 void Bvh::QueryAlong(const Segment& segment, std::vector<int>& out) const
 {
-  if (segment.slack * Impl->scale > kMostSlack)
+  if (segment.slack * Impl->scale > kMaxSlack)
   {
     const Vec3 slack(segment.slack);
     Query(

@@ -14,7 +14,7 @@ namespace
 /// Stretches of s are not halved below this.
 constexpr double kNarrowestStretch = 0x1p-40;
 /// Looked at; more than a few crossings take: the square is better halved.
-constexpr int kMostStretches = 2000;
+constexpr int kMaxStretches = 2000;
 /// Errors of a function that is zero throughout, up to rounding: its polynomial is within one error
 /// of zero, and its range adds another one.
 constexpr double kZeroInErrors = 2.0;
@@ -67,7 +67,7 @@ private:
 
   void Visit(double from, double to, const std::vector<RimEnds>& ends)
   {
-    TooMany = ++Looked > kMostStretches;
+    TooMany = ++Looked > kMaxStretches;
     if (TooMany)
     {
       return;
@@ -104,7 +104,7 @@ private:
     upper.reserve(ends.size());
     for (RimEnds& one : lower)
     {
-      upper.push_back({ one.low.Halve(0), one.high.Halve(0) });
+      upper.push_back({ one.low.Subdivide(0), one.high.Subdivide(0) });
     }
     Visit(from, middle, lower);
     Visit(middle, to, upper);

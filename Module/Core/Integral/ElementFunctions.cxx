@@ -31,11 +31,11 @@ BoxPolynomial Restricted(const BoxPolynomial& over, const PieceBox& box)
 } // namespace
 
 ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element)
-  : TheQuestion(question)
-  , TheElement(element)
+  : question_(question)
+  , element_(element)
   , Map(question.mesh.map.SpaceOf(element), question.mesh.map.Coefficients(element), 3)
   , FirstOfCut(kValues + static_cast<std::size_t>(question.Components()))
-  , TheRadius(std::ldexp(question.mesh.size[static_cast<std::size_t>(element)], Map.exponent))
+  , radius_(std::ldexp(question.mesh.size[static_cast<std::size_t>(element)], Map.exponent))
 {
   const auto modesOf = [element](const Expansion& values)
   {
@@ -81,7 +81,7 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
     AddDerivatives(*CutModes, 0, ofCut->values.components, all);
   }
   TooHigh = TooHigh || (question.cut != nullptr && question.cut->Factor() * degree > kMaxDegree);
-  TheLevel = LevelFor(all);
+  level_ = LevelFor(all);
   Made.resize(FirstOfCut +
     (ofCut != nullptr ? kOfComponent * static_cast<std::size_t>(ofCut->values.components) : 0));
 }
@@ -93,7 +93,7 @@ bool ElementFunctions::IsZeroField() const
 
 std::vector<PieceBox> ElementFunctions::Pieces() const
 {
-  const int n = 1 << TheLevel;
+  const int n = 1 << level_;
   std::vector<PieceBox> boxes;
   for (int i = 0; i < n; ++i)
   {
@@ -111,13 +111,13 @@ std::vector<PieceBox> ElementFunctions::Pieces() const
 bool ElementFunctions::IsOnCube(const PieceBox& box, int direction, bool upper) const
 {
   const int piece = box.piece[static_cast<std::size_t>(direction)];
-  return upper ? piece == (1 << TheLevel) - 1 && box.upper[direction] == 1.0
+  return upper ? piece == (1 << level_) - 1 && box.upper[direction] == 1.0
                : piece == 0 && box.lower[direction] == -1.0;
 }
 
 Interval ElementFunctions::Middle(const PieceBox& box, int direction) const
 {
-  const double n = 1 << TheLevel;
+  const double n = 1 << level_;
   const double first = (2.0 * box.piece[static_cast<std::size_t>(direction)] + 1.0) / n - 1.0;
   const Interval sum = Interval(box.lower[direction]) + Interval(box.upper[direction]);
   return Interval(first) + sum * Interval(0.5 / n);
@@ -126,7 +126,7 @@ Interval ElementFunctions::Middle(const PieceBox& box, int direction) const
 Interval ElementFunctions::HalfWidth(const PieceBox& box, int direction) const
 {
   return (Interval(box.upper[direction]) - Interval(box.lower[direction])) *
-    Interval(0.5 / (1 << TheLevel));
+    Interval(0.5 / (1 << level_));
 }
 
 const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::size_t function)
@@ -145,10 +145,8 @@ const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::
     return made;
   }
   const Box3 whole{ Vec3(-1.0), Vec3(1.0) };
-  const auto over = [&](const ScaledModes& modes, std::size_t component, Part part)
-  {
-    return RangeIngredient{ &modes, static_cast<int>(component), part }.Over(
-      TheLevel, piece, whole);
+  const auto over = [&](const ScaledModes& modes, std::size_t component, Part part) {
+    return RangeIngredient{ &modes, static_cast<int>(component), part }.Over(level_, piece, whole);
   };
   if (function < kSlopes)
   {
@@ -175,21 +173,21 @@ const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::
 
 Interval ElementFunctions::Shift(const Vec3& origin, int component) const
 {
-  return Interval(TheQuestion.mesh.centre[3 * static_cast<std::size_t>(TheElement) +
+  return Interval(question_.mesh.centre[3 * static_cast<std::size_t>(element_) +
            static_cast<std::size_t>(component)]) -
     Interval(origin[component]);
 }
 
 ScaledPolynomial ElementFunctions::Over(const ImplicitPolynomial& surface, const PieceBox& box)
 {
-  return PolynomialOf(TheQuestion.mesh, TheElement, TheRadius, surface,
-    { Map3(box, 0), Map3(box, 1), Map3(box, 2) }, true);
+  return PolynomialOf(
+    question_.mesh, element_, radius_, surface, { Map3(box, 0), Map3(box, 1), Map3(box, 2) }, true);
 }
 
 BoxPolynomial ElementFunctions::Cut(const PieceBox& box)
 {
-  ScaledPolynomial cut = TheQuestion.cut->Over(*this, box);
-  TheUnit = cut.unit;
+  ScaledPolynomial cut = question_.cut->Over(*this, box);
+  unit_ = cut.unit;
   return std::move(cut.s);
 }
 
@@ -210,7 +208,7 @@ BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component
   constexpr int kDegree = 6;
   constexpr double kCaution =
     4.0; // the largest difference is between the points that are looked at
-  const Field& field = *TheQuestion.field;
+  const Field& field = *question_.field;
   const auto components = static_cast<std::size_t>(field.values.components);
   Box3 inEta;
   for (int d = 0; d < 3; ++d)
@@ -233,8 +231,7 @@ BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component
     {
       arrays[c] = &storage[c * stride];
     }
-    field.function->Evaluate(
-      TheQuestion.mesh, TheElement, { lanes.View() }, arrays.data(), nullptr);
+    field.function->Evaluate(question_.mesh, element_, { lanes.View() }, arrays.data(), nullptr);
     std::copy_n(arrays[static_cast<std::size_t>(component)], values.size(), values.begin());
   };
   BoxPolynomial polynomial = SamplePolynomial(kDegree, inEta, evaluate);
@@ -278,7 +275,7 @@ BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component, const
 
 BoxPolynomial ElementFunctions::Clip(const PieceBox& box, std::size_t clip)
 {
-  return Over(TheQuestion.clips[clip], box).s;
+  return Over(question_.clips[clip], box).s;
 }
 
 BoxPolynomial ElementFunctions::CutValues(const PieceBox& box, int component)

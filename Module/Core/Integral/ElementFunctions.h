@@ -56,7 +56,7 @@ public:
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
   /// The cube is cut into 2^Level() pieces along each direction.
-  [[nodiscard]] int Level() const { return TheLevel; }
+  [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] std::vector<PieceBox> Pieces() const;
   /// Whether the end of a box is in a face of the cube.
   [[nodiscard]] bool IsOnCube(const PieceBox& box, int direction, bool upper) const;
@@ -66,10 +66,10 @@ public:
 
   /// unit times the cut-surface's function.
   BoxPolynomial Cut(const PieceBox& box);
-  [[nodiscard]] double Unit() const { return TheUnit; }
+  [[nodiscard]] double Unit() const { return unit_; }
   /// The map, in its modes' units: x = centre + Radius() y.
   BoxPolynomial Map3(const PieceBox& box, int component);
-  [[nodiscard]] double Radius() const { return TheRadius; }
+  [[nodiscard]] double Radius() const { return radius_; }
   /// Its derivative by a xi.
   BoxPolynomial Slope(const PieceBox& box, int component, int xi);
   /// A component of the field's own values, over 2^FieldExponent(). A function without coefficients
@@ -91,23 +91,23 @@ public:
   BoxPolynomial CutSlope(const PieceBox& box, int component, int xi);
   [[nodiscard]] int CutExponent() const;
 
-  [[nodiscard]] const IntegralQuestion& Question() const { return TheQuestion; }
-  [[nodiscard]] int Element() const { return TheElement; }
+  [[nodiscard]] const IntegralQuestion& Question() const { return question_; }
+  [[nodiscard]] int Element() const { return element_; }
 
 private:
   [[nodiscard]] BoxPolynomial SampledValues(const PieceBox& box, int component) const;
   /// Over a whole piece; made when first asked for, for one piece at a time.
   const BoxPolynomial& Over(const PieceForm::Piece& piece, std::size_t function);
 
-  IntegralQuestion TheQuestion;
-  int TheElement;
+  IntegralQuestion question_;
+  int element_;
   ScaledModes Map;
   std::unique_ptr<const ScaledModes> Modes;
   std::unique_ptr<const ScaledModes> CutModes;
   std::size_t FirstOfCut;
-  int TheLevel = 0;
-  double TheRadius;
-  double TheUnit = 1.0;
+  int level_ = 0;
+  double radius_;
+  double unit_ = 1.0;
   bool Finite = true;
   bool TooHigh = false;
   PieceForm::Piece At{ -1, -1, -1 };

@@ -20,7 +20,7 @@ constexpr double kSmallestBox = 0x1p-40;
 
 /// Of the magnitude: an integral over a box that is off by less is off by rounding.
 constexpr double kRounding = 4e-12;
-/// Halves that are together not narrower than this part of the whole show no gain, and after so
+/// Children that are together not narrower than this part of the whole show no gain, and after so
 /// many subdivisions in a row without one, rounding is what is left. What halving takes from errors
 /// that it does take from is a half or more, but it may be the wrong direction a time or two.
 constexpr double kNoGain = 0.75;
@@ -128,10 +128,10 @@ namespace
 /// vertex may hold a surface that is small beside the piece's tolerance.
 bool IsOnSide(ElementFunctions& functions, const PieceBox& piece, double sign)
 {
-  constexpr std::size_t kMostBoxes = 128;
+  constexpr std::size_t kMaxBoxes = 128;
   std::vector<std::pair<double, PieceBox>> open{ { 0.0, piece } }; // the lowest on top
   const auto isHigher = [](const auto& a, const auto& b) { return a.first > b.first; };
-  for (std::size_t looked = 0; looked < kMostBoxes && !open.empty(); ++looked)
+  for (std::size_t looked = 0; looked < kMaxBoxes && !open.empty(); ++looked)
   {
     std::ranges::pop_heap(open, isHigher);
     const PieceBox box = open.back().second;

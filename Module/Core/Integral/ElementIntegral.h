@@ -28,7 +28,7 @@ public:
   [[nodiscard]] std::int64_t Rounded() const;
   [[nodiscard]] bool IsEmpty() const { return Parts.empty(); }
 
-  /// Halves boxes until all quantities' widths are within what is allowed, `boxes` more have been
+  /// Children boxes until all quantities' widths are within what is allowed, `boxes` more have been
   /// looked at, or `stop` says so; it is asked after each box. False where it could not be met.
   bool Refine(
     const std::vector<double>& allowed, std::int64_t boxes, const std::function<bool()>& stop);

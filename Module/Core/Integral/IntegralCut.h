@@ -84,7 +84,7 @@ public:
   /// fields; InvalidData for a component that is not there, for a value that is not finite, and for
   /// a magnitude that is not positive.
   IsoValueSurface(const Field& field, int component, double value);
-  [[nodiscard]] const Field* MadeOf() const override { return TheField; }
+  [[nodiscard]] const Field* MadeOf() const override { return field_; }
   [[nodiscard]] int Factor() const override { return First == Last ? 1 : 2; }
   [[nodiscard]] ScaledPolynomial Over(
     ElementFunctions& functions, const PieceBox& box) const override;
@@ -100,7 +100,7 @@ public:
   [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
 
 private:
-  const Field* TheField;
+  const Field* field_;
   int First;
   int Last; ///< components
   double Value;

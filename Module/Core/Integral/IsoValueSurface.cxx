@@ -42,7 +42,7 @@ int MostRoots(BoxPolynomial cut, int direction)
 } // namespace
 
 IsoValueSurface::IsoValueSurface(const Field& field, int component, double value)
-  : TheField(&field)
+  : field_(&field)
   , First(component == kOfMagnitude ? 0 : component)
   , Last(component == kOfMagnitude ? field.values.components - 1 : component)
   , Value(value)

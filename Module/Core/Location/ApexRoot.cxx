@@ -11,15 +11,15 @@ namespace pixelexact
 namespace
 {
 const Vec3 kApex(-1.0, -1.0, 1.0);
-/// There no xi is better: kMostMiss for each of the elements that meet in it, and their rounding.
-constexpr double kMostMissAtApex = 16.0;
+/// There no xi is better: kMaxMiss for each of the elements that meet in it, and their rounding.
+constexpr double kMaxMissAtApex = 16.0;
 
 double LargestSlack(const NodeFrame& frame)
 {
   return std::max({ frame.slack[0], frame.slack[1], frame.slack[2] });
 }
 
-RootCheck Check(RootChecker& checker, const Vec3& xi, const Vec3& y, double mostMiss = kMostMiss)
+RootCheck Check(RootChecker& checker, const Vec3& xi, const Vec3& y, double mostMiss = kMaxMiss)
 {
   RootCheck check;
   checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1), mostMiss);
@@ -62,7 +62,7 @@ ApexRoot RootAtApex(
   {
     xi = kApex;
     root = middle;
-    check = Check(checker, xi, y, kMostMissAtApex);
+    check = Check(checker, xi, y, kMaxMissAtApex);
   }
   return { xi, MaxAbs(root - xi), check };
 }

@@ -29,8 +29,8 @@ bool Overlap(const Box3& a, const Box3& b)
 
 Locator::Batch::Batch(const Locator& locator, const LanePoints& points, LocationSink& sink)
   : Owner(locator)
-  , Index(locator.TheIndex)
-  , TheMesh(Index.GetMesh())
+  , Index(locator.index_)
+  , mesh_(Index.GetMesh())
   , Points(points)
   , Sink(sink)
   , Kernels(GetPointKernels())
@@ -52,7 +52,7 @@ void Locator::Batch::Run()
       Kernels.chunk(Points, begin, std::min(kChunkPoints, Points.count - begin), Index.Bounds()));
   }
   Search(chunks);
-  auto& counters = Owner.TheCounters;
+  auto& counters = Owner.counters_;
   counters.queries += Queries;
   counters.candidates += Candidates;
   counters.careful += Careful;
@@ -85,7 +85,7 @@ void Locator::Batch::Search(std::span<PointChunk> chunks)
   if (chunks.size() > 1 ? elements.size() > kManyCandidates
                         : elements.size() > kManyCandidatesOfChunk && chunks[0].count > kSmallChunk)
   {
-    SearchHalves(chunks);
+    SearchChildren(chunks);
     return;
   }
   Work.doubtful.clear();
@@ -98,7 +98,7 @@ void Locator::Batch::Search(std::span<PointChunk> chunks)
   Decide(chunks);
 }
 
-void Locator::Batch::SearchHalves(std::span<PointChunk> chunks)
+void Locator::Batch::SearchChildren(std::span<PointChunk> chunks)
 {
   ++Work.depth;
   if (chunks.size() > 1)
@@ -139,7 +139,7 @@ int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const Elem
     return 0;
   }
   bounds = &Index.BoundsOf(element);
-  Problem = MakeInverseProblem(TheMesh, element, *bounds);
+  Problem = MakeInverseProblem(mesh_, element, *bounds);
   Element = element;
   int count = 0;
   const bool isBent = TreeFilter::IsWorthIt(*bounds);

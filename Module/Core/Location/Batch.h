@@ -30,7 +30,7 @@ private:
   };
 
   void Search(std::span<PointChunk> chunks);
-  void SearchHalves(std::span<PointChunk> chunks);
+  void SearchChildren(std::span<PointChunk> chunks);
   void SearchElement(std::span<PointChunk> chunks, int element);
   int Select(std::span<PointChunk> chunks, int element, const ElementBounds*& bounds);
   [[nodiscard]] bool AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const;
@@ -46,7 +46,7 @@ private:
 
   const Locator& Owner;
   const ElementIndex& Index;
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   const LanePoints& Points;
   LocationSink& Sink;
   const PointKernels& Kernels;

@@ -11,7 +11,7 @@ namespace pixelexact
 namespace
 {
 /// Tells a sink of points at given xi of one element, in their order.
-void TellInside(LocationSink& sink, int element, std::span<const Vec3> xi)
+void ReportInside(LocationSink& sink, int element, std::span<const Vec3> xi)
 {
   if (xi.empty())
   {
@@ -40,7 +40,7 @@ void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<con
   }
   const LaneBuffer lanes(field.function != nullptr ? places.x : std::span<const Vec3>());
   SamplingSink sink(mesh, &field, lanes.View(), target);
-  TellInside(sink, element, xi);
+  ReportInside(sink, element, xi);
 }
 
 void EncloseAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
@@ -57,7 +57,7 @@ void EncloseAt(const Mesh& mesh, const Field& field, int element, std::span<cons
   }
   const LaneBuffer lanes(x);
   SamplingSink sink(mesh, &field, lanes.View(), target);
-  TellInside(sink, element, xi);
+  ReportInside(sink, element, xi);
 }
 
 void MapForward(const Mesh& mesh, int element, std::span<const Vec3> xi, std::span<Vec3> x)

@@ -21,7 +21,7 @@ struct PointGroup
   GroupLanes y;
 };
 
-/// What Newton's iteration for so many points costs (PointSearch.h: kMostWork).
+/// What Newton's iteration for so many points costs (PointSearch.h: kMaxWork).
 std::int64_t NewtonCost(const Space& space, int points);
 
 /// Newton's iteration for the points in `bits`, from the frame's guesses; the roots are added to

@@ -75,10 +75,10 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
       continue;
     }
     doubts.clear();
-    TheIndex.FindNear({ x, x }, candidates);
+    index_.FindNear({ x, x }, candidates);
     for (const int element : candidates)
     {
-      const ElementBounds& bounds = TheIndex.BoundsOf(element);
+      const ElementBounds& bounds = index_.BoundsOf(element);
       const InverseProblem problem = MakeInverseProblem(GetMesh(), element, bounds);
       if (!MightContain(problem, bounds, x))
       {
@@ -101,7 +101,7 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
     {
       SoughtPoint sought{ x, known };
       Preimages all;
-      FindWithin(*TheIndex.TreeOf(element), std::span(&sought, 1), std::span(&itsBudget, 1),
+      FindWithin(*index_.TreeOf(element), std::span(&sought, 1), std::span(&itsBudget, 1),
         Wanted::All, std::span(&all, 1));
       for (const InverseRoot& root : all.roots)
       {

@@ -74,7 +74,7 @@ public:
   /// needs it. The mesh must be valid (Validate); its arrays must outlive
   /// the locator. An empty mesh is allowed and holds no point.
   explicit Locator(const Mesh& mesh)
-    : TheIndex(mesh)
+    : index_(mesh)
   {
   }
 
@@ -88,17 +88,17 @@ public:
   /// faces an overlap or a fold. Serial; slower than Locate, for meshes that are being debugged.
   void LocateAll(std::span<const Vec3> points, PreimageSink& sink) const;
 
-  [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
+  [[nodiscard]] const ElementIndex& Index() const { return index_; }
   /// To set the trees' limit.
-  [[nodiscard]] ElementIndex& Index() { return TheIndex; }
-  [[nodiscard]] const Mesh& GetMesh() const { return TheIndex.GetMesh(); }
+  [[nodiscard]] ElementIndex& Index() { return index_; }
+  [[nodiscard]] const Mesh& GetMesh() const { return index_.GetMesh(); }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
-  [[nodiscard]] const Box3& Bounds() const { return TheIndex.Bounds(); }
-  [[nodiscard]] const LocationCounters& Counters() const { return TheCounters; }
+  [[nodiscard]] const Box3& Bounds() const { return index_.Bounds(); }
+  [[nodiscard]] const LocationCounters& Counters() const { return counters_; }
 
 private:
   class Batch;
-  ElementIndex TheIndex;
-  mutable LocationCounters TheCounters;
+  ElementIndex index_;
+  mutable LocationCounters counters_;
 };
 } // namespace pixelexact

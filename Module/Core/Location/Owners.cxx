@@ -41,7 +41,7 @@ public:
     Result[static_cast<std::size_t>(index)].coverage = Coverage::Undecided;
   }
 
-  void Judge()
+  void Classify()
   {
     for (std::size_t i = 0; i < Result.size(); ++i)
     {
@@ -88,7 +88,7 @@ void FindOwnersOfTile(
   std::ranges::fill(owners, Owners{});
   Counter counter(owners);
   locator.LocateAll(points, counter);
-  counter.Judge();
+  counter.Classify();
 }
 
 void FindOwners(const Locator& locator, std::span<const Vec3> points, std::span<Owners> owners)

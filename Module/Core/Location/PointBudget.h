@@ -16,19 +16,19 @@ class PointBudget
 {
 public:
   explicit PointBudget(int elements)
-    : TheShare((elements > kFew ? kMostWork / 2 : kMostWork) / std::max(elements, 1))
-    , Rest(elements > kFew ? kMostWork / 2 : 0)
+    : share_((elements > kFew ? kMaxWork / 2 : kMaxWork) / std::max(elements, 1))
+    , Rest(elements > kFew ? kMaxWork / 2 : 0)
   {
   }
 
   /// Of each element.
-  [[nodiscard]] std::int64_t Share() const { return TheShare; }
+  [[nodiscard]] std::int64_t Share() const { return share_; }
   /// What an element may cost that has used up its share, when it is asked anew; nothing where what
   /// is left is no more than the share.
   std::int64_t TakeMore()
   {
-    const std::int64_t more = std::min(Rest, kMostMore);
-    if (more <= TheShare)
+    const std::int64_t more = std::min(Rest, kMaxMore);
+    if (more <= share_)
     {
       return 0;
     }
@@ -38,9 +38,9 @@ public:
 
 private:
   static constexpr int kFew = 4;
-  static constexpr std::int64_t kMostMore = 1'000'000;
+  static constexpr std::int64_t kMaxMore = 1'000'000;
 
-  std::int64_t TheShare;
+  std::int64_t share_;
   std::int64_t Rest;
 };
 

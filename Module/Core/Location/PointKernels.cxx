@@ -69,7 +69,7 @@ class ElementFrame
 {
 public:
   HWY_INLINE ElementFrame(const ElementBounds& bounds, const InverseProblem& problem)
-    : TheShape(problem.space.shape)
+    : shape_(problem.space.shape)
     , InverseSize(Splat(problem.inverseSize))
   {
     ForEachAxis(
@@ -94,12 +94,12 @@ public:
 
   /// Of a box in each lane, whether the test above excludes all of its points, and whether it
   /// excludes none.
-  struct Judgement
+  struct Classification
   {
     LaneMask none;
     LaneMask all;
   };
-  [[nodiscard]] HWY_INLINE Judgement Judge(
+  [[nodiscard]] HWY_INLINE Classification Classify(
     const Point<Lanes>& lower, const Point<Lanes>& upper) const
   {
     const Lanes half = Splat(0.5);
@@ -131,12 +131,12 @@ public:
     // Along the slanted faces' normals, sums of rows: rows may cancel, their errors do not.
     Lanes first = zero;
     Lanes second = zero;
-    if (TheShape == Shape::Tetrahedron)
+    if (shape_ == Shape::Tetrahedron)
     {
       first = across(m[0] + m[3] + m[6], m[1] + m[4] + m[7], m[2] + m[5] + m[8], extent) +
         (error.x[0] + error.x[1] + error.x[2]);
     }
-    else if (TheShape != Shape::Hexahedron)
+    else if (shape_ != Shape::Hexahedron)
     {
       first = across(m[0] + m[6], m[1] + m[7], m[2] + m[8], extent) + (error.x[0] + error.x[2]);
       second = across(m[3] + m[6], m[4] + m[7], m[5] + m[8], extent) + (error.x[1] + error.x[2]);
@@ -173,7 +173,7 @@ private:
         out = Or(out,
           Or(one + reach.x[d] < low.x[d], offset.x[d] + FromLower.x[d] < zero - one - reach.x[d]));
       });
-    switch (TheShape)
+    switch (shape_)
     {
       case Shape::Hexahedron:
         return out;
@@ -186,7 +186,7 @@ private:
     }
   }
 
-  Shape TheShape;
+  Shape shape_;
   Lanes InverseSize;
   Point<Lanes> Centre;
   Point<Lanes> Origin;
@@ -221,7 +221,7 @@ NearChunks FindNearChunks(
     }
     if (bounds.framed)
     {
-      const auto [none, all] = frame.Judge(lower, upper);
+      const auto [none, all] = frame.Classify(lower, upper);
       near = AndNot(near, none);
       found.inner |= BitsOf(And(And(near, within), all)) << static_cast<unsigned>(i);
     }

@@ -23,8 +23,8 @@ std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> po
   constexpr std::int64_t kFewSplits = 100;
   const std::int64_t least = std::ranges::min(points, {}, &SoughtPoint::mostWork).mostWork;
   const std::int64_t high =
-    std::clamp(kFewSplits * tree.SplitCost(), kMostWork, kMostWorkOfHighOrders);
-  return least * (high / 1000) / (kMostWork / 1000);
+    std::clamp(kFewSplits * tree.SplitCost(), kMaxWork, kMaxWorkOfHighOrders);
+  return least * (high / 1000) / (kMaxWork / 1000);
 }
 
 /// By volume in eta.
@@ -41,7 +41,7 @@ public:
   Search(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted)
     : Tree(tree)
     , Problem(tree.Problem())
-    , TheShape(Problem.space.shape)
+    , shape_(Problem.space.shape)
     , Kernels(GetTreeKernels())
     , Reach(ReachOf(tree.Degree()))
     , MostWork(MostWorkIn(tree, points))
@@ -135,12 +135,12 @@ private:
     Work += kVisitCost;
     const NodeFrame& frame = node.Frame();
     const double* const y[3] = { Group.y.x[0], Group.y.x[1], Group.y.x[2] };
-    points = Kernels.judge(frame, y, points).near;
+    points = Kernels.classify(frame, y, points).near;
     if (points == 0)
     {
       return;
     }
-    if (IsAtApex(TheShape, frame))
+    if (IsAtApex(shape_, frame))
     {
       ForEachBit(points, [&](std::size_t i) { TakeApex(frame, i); });
       return;
@@ -231,7 +231,7 @@ private:
     }
     if (check.holds)
     {
-      Roots.Add(point, { xi, moved, true, check.IsOnFace(TheShape, xi) }, check);
+      Roots.Add(point, { xi, moved, true, check.IsOnFace(shape_, xi) }, check);
     }
   }
 
@@ -242,20 +242,20 @@ private:
   void TakeStraight(const NodeFrame& frame, std::size_t point)
   {
     constexpr double kTrusted = 1e-2;
-    constexpr double kMostTolerance = 0.25;
+    constexpr double kMaxTolerance = 0.25;
     const Vec3 y = Group.YOf(point);
     const Vec3 root = frame.Root(y);
     RootCheck check;
     Checker.Run(std::span(&root, 1), std::span(&y, 1), std::span(&check, 1));
     const Vec3& t = check.tolerance;
-    const double beyond = -Margin(TheShape, root);
-    if (!(check.holds && beyond <= t.x + t.y + t.z && t.x + t.y + t.z <= kMostTolerance))
+    const double beyond = -Margin(shape_, root);
+    if (!(check.holds && beyond <= t.x + t.y + t.z && t.x + t.y + t.z <= kMaxTolerance))
     {
       Undecided |= BitOf(point);
       return;
     }
-    const Vec3 centre = Centre(TheShape);
-    const double inner = Margin(TheShape, centre);
+    const Vec3 centre = Centre(shape_);
+    const double inner = Margin(shape_, centre);
     const double part = beyond > kTrusted ? (inner + kTrusted) / (inner + beyond) : 1.0;
     Roots.Add(point, { centre + part * (root - centre), 0.0, true, true }, check);
   }
@@ -267,13 +267,13 @@ private:
     Bits settled = 0;
     if (node.IsPoint())
     {
-      const Box3 hull = HullInXi(TheShape, box);
+      const Box3 hull = HullInXi(shape_, box);
       ForEachBit(points, [&](std::size_t i) { settled |= Roots.IsAll(hull, i) ? BitOf(i) : 0; });
     }
     Bits reached = 0;
     for (const GroupRoots& roots : Roots.Lanes())
     {
-      reached |= Kernels.reached(box, TheShape, Reach, roots, points & ~settled & ~reached);
+      reached |= Kernels.reached(box, shape_, Reach, roots, points & ~settled & ~reached);
     }
     return reached != 0 && IsRegular(node) ? settled | reached : settled;
   }
@@ -292,7 +292,7 @@ private:
 
   ElementTree& Tree;
   const InverseProblem& Problem;
-  Shape TheShape;
+  Shape shape_;
   const TreeKernels& Kernels;
   double Reach;
   std::int64_t MostWork;

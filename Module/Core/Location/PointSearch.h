@@ -34,16 +34,16 @@ struct Preimages
 };
 
 /// What a point may cost, in about nanoseconds of one core.
-inline constexpr std::int64_t kMostWork = 4'500'000;
+inline constexpr std::int64_t kMaxWork = 4'500'000;
 /// Where the halving of a box of high order alone costs a good part of that.
-inline constexpr std::int64_t kMostWorkOfHighOrders = 9'000'000;
+inline constexpr std::int64_t kMaxWorkOfHighOrders = 9'000'000;
 /// A point that is looked for.
 struct SoughtPoint
 {
   Vec3 x{ 0.0 };
   /// Where Newton's iteration converged to, outside of the shape; NaN where it did not.
   Vec3 known{ std::numeric_limits<double>::quiet_NaN() };
-  std::int64_t mostWork = kMostWork;
+  std::int64_t mostWork = kMaxWork;
 };
 
 enum class Wanted : std::uint8_t

@@ -31,7 +31,7 @@ public:
   }
 
   void Run(std::span<const Vec3> xi, std::span<const Vec3> y, std::span<RootCheck> checks,
-    double mostMiss = kMostMiss);
+    double mostMiss = kMaxMiss);
 
 private:
   const InverseProblem& Problem;

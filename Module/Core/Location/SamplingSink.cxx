@@ -92,8 +92,8 @@ double* const* OutputArrays::Get(std::size_t arrays, std::size_t stride)
 
 SamplingSink::SamplingSink(
   const Mesh& mesh, const Field* field, const LanePoints& points, const SampleTarget& target)
-  : TheMesh(mesh)
-  , TheField(field)
+  : mesh_(mesh)
+  , field_(field)
   , Points(points)
   , Target(target)
 {
@@ -114,7 +114,7 @@ void SamplingSink::Inside(
   write(Target.xi, [&](std::size_t k) { return Vec3(xi[0][k], xi[1][k], xi[2][k]); });
   write(Target.verdict, [&](std::size_t) { return Verdict::Inside; });
   write(Target.residual, [&](std::size_t k) { return residual[k]; });
-  if (TheField)
+  if (field_)
   {
     const LanePoints at{ { xi[0], xi[1], xi[2] }, static_cast<int>(index.size()) };
     if (!Target.value.empty() || !Target.gradient.empty())
@@ -143,24 +143,24 @@ void SamplingSink::Unknown(int index, int element)
 
 void SamplingSink::EvaluateField(int element, std::span<const int> index, const LanePoints& xi)
 {
-  const auto components = static_cast<std::size_t>(TheField->values.components);
+  const auto components = static_cast<std::size_t>(field_->values.components);
   const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
   const bool gradient = !Target.gradient.empty();
   double* const* out = Arrays.Get(components * (gradient ? 4 : 1), stride);
   double* const* slopes = gradient ? out + components : nullptr;
-  if (TheField->function != nullptr)
+  if (field_->function != nullptr)
   {
     FunctionPoints points{ xi };
     if (Points.count > 0)
     {
       points.x = Gather(index, stride, Places, [this](int at, int d) { return Points.x[d][at]; });
     }
-    if (!Target.normals.empty() && TheField->function->NeedsNormals())
+    if (!Target.normals.empty() && field_->function->NeedsNormals())
     {
       points.normal = Gather(index, stride, Normals,
         [this](int at, int d) { return Target.normals[static_cast<std::size_t>(at)][d]; });
     }
-    TheField->function->Evaluate(TheMesh, element, points, out, slopes);
+    field_->function->Evaluate(mesh_, element, points, out, slopes);
   }
   else
   {
@@ -179,7 +179,7 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
 void SamplingSink::EvaluatePolynomials(
   int element, const LanePoints& xi, double* const* out, double* const* slopes)
 {
-  const Expansion& values = TheField->values;
+  const Expansion& values = field_->values;
   const Space& space = values.SpaceOf(element);
   const KernelSet kernels = KernelsFor(space);
   const bool inFloats = slopes == nullptr && Target.precision == Precision::Float;
@@ -195,7 +195,7 @@ void SamplingSink::EvaluatePolynomials(
   {
     kernels.value(space, values.Coefficients(element), values.components, xi, out);
   }
-  ApplyMapping(TheMesh, element, TheField->mapping, xi, values.components, out, slopes);
+  ApplyMapping(mesh_, element, field_->mapping, xi, values.components, out, slopes);
   if (Target.check != nullptr && inFloats)
   {
     CheckFloats(element, xi, out);
@@ -205,12 +205,12 @@ void SamplingSink::EvaluatePolynomials(
 /// Evaluates the first points once more.
 void SamplingSink::CheckFloats(int element, const LanePoints& xi, const double* const* values)
 {
-  const Expansion& field = TheField->values;
+  const Expansion& field = field_->values;
   const Space& space = field.SpaceOf(element);
   const LanePoints some{ { xi.x[0], xi.x[1], xi.x[2] }, std::min(xi.count, kLanePadding) };
   double* const* exact = Checked.Get(static_cast<std::size_t>(field.components), kLanePadding);
   KernelsFor(space).value(space, field.Coefficients(element), field.components, some, exact);
-  ApplyMapping(TheMesh, element, TheField->mapping, some, field.components, exact, nullptr);
+  ApplyMapping(mesh_, element, field_->mapping, some, field.components, exact, nullptr);
   PrecisionCheck check;
   check.points = some.count;
   for (int c = 0; c < field.components; ++c)
@@ -229,7 +229,7 @@ void SamplingSink::CheckFloats(int element, const LanePoints& xi, const double* 
 
 void SamplingSink::EncloseField(int element, std::span<const int> index, const LanePoints& xi)
 {
-  const auto components = static_cast<std::size_t>(TheField->values.components);
+  const auto components = static_cast<std::size_t>(field_->values.components);
   const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
   double* const* arrays = Arrays.Get(3 + 2 * components, stride);
   for (std::size_t k = 0; k < stride; ++k)
@@ -242,7 +242,7 @@ void SamplingSink::EncloseField(int element, std::span<const int> index, const L
   }
   double* const* lower = arrays + 3;
   double* const* upper = lower + components;
-  EncloseValues(TheMesh, *TheField, element, xi, { { arrays[0], arrays[1], arrays[2] }, xi.count },
+  EncloseValues(mesh_, *field_, element, xi, { { arrays[0], arrays[1], arrays[2] }, xi.count },
     { lower, upper });
   Scatter(index, lower, components, Target.valueLower);
   Scatter(index, upper, components, Target.valueUpper);

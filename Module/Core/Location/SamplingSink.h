@@ -37,8 +37,8 @@ private:
   void CheckFloats(int element, const LanePoints& xi, const double* const* values);
   void EncloseField(int element, std::span<const int> index, const LanePoints& xi);
 
-  const Mesh& TheMesh;
-  const Field* TheField;
+  const Mesh& mesh_;
+  const Field* field_;
   LanePoints Points;
   const SampleTarget& Target;
   OutputArrays Arrays;

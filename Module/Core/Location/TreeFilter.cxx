@@ -18,12 +18,12 @@ constexpr double kAffineEnough = 0.04;
 constexpr double kAffineEnoughOfPyramid = 0.01;
 /// Of the frame's deviation, in xi.
 constexpr double kBent = 0.2;
-/// Halvings of an element, and nanoseconds that they may take: all of them together but for coarse
-/// nodes, and those that one point needs.
-constexpr int kMostHalvings = 9;
-constexpr int kMostHalvingsOfPyramid = 12;
-constexpr std::int64_t kMostGrowth = 4'000'000;
-constexpr std::int64_t kMostOfPoint = 2'200'000;
+/// Subdivisions of an element, and nanoseconds that they may take: all of them together but for
+/// coarse nodes, and those that one point needs.
+constexpr int kMaxSubdivisions = 9;
+constexpr int kMaxSubdivisionsOfPyramid = 12;
+constexpr std::int64_t kMaxGrowth = 4'000'000;
+constexpr std::int64_t kMaxOfPoint = 2'200'000;
 } // namespace
 
 bool TreeFilter::IsWorthIt(const ElementBounds& bounds)
@@ -119,7 +119,7 @@ void TreeFilter::Descend(std::uint64_t near)
 {
   ChunkBits open{};
   ForEachBit(near, [&](std::size_t k) { open[k] = Chunks[k].open; });
-  if (Tree->BeginCost() > kMostOfPoint)
+  if (Tree->BeginCost() > kMaxOfPoint)
   {
     ForEachBit(near, [&](std::size_t k) { Kept[k] = open[k]; });
     return;
@@ -127,10 +127,9 @@ void TreeFilter::Descend(std::uint64_t near)
   const bool isPyramid = Tree->Problem().space.shape == Shape::Pyramid;
   AffineEnough = isPyramid ? kAffineEnoughOfPyramid : kAffineEnough;
   const std::int64_t cost = Tree->SplitCost();
-  const int whole =
-    static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMostGrowth / cost)));
-  MostHalvings = std::min({ isPyramid ? kMostHalvingsOfPyramid : kMostHalvings,
-    whole - 1 + Tree->CoarseHalvings(), static_cast<int>(kMostOfPoint / cost) });
+  const int whole = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMaxGrowth / cost)));
+  MaxSubdivisions = std::min({ isPyramid ? kMaxSubdivisionsOfPyramid : kMaxSubdivisions,
+    whole - 1 + Tree->CoarseSubdivisions(), static_cast<int>(kMaxOfPoint / cost) });
   if (Y.size() < 3 * kGroupPoints * Chunks.size())
   {
     Y.resize(3 * kGroupPoints * Chunks.size());
@@ -160,7 +159,7 @@ void TreeFilter::Visit(
   ElementTree::Node& node, int depth, std::uint64_t active, const ChunkBits& bits)
 {
   const NodeFrame& frame = node.Frame();
-  const NodeJudgement boxes = Kernels.judgeBoxesWidely(frame, Boxes, active);
+  const NodeClassification boxes = Kernels.classifyBoxesWidely(frame, Boxes, active);
   ChunkBits mine;
   std::uint64_t left = 0;
   for (std::uint64_t near = boxes.near; near != 0; near &= near - 1)
@@ -178,7 +177,7 @@ void TreeFilter::Visit(
     else if (mine[k] != 0)
     {
       const auto y = InUnits(k);
-      const NodeJudgement points = Kernels.judgeWidely(frame, y.data(), mine[k]);
+      const NodeClassification points = Kernels.classifyWidely(frame, y.data(), mine[k]);
       // No smaller box will exclude what is held here.
       Kept[k] |= points.held;
       mine[k] = points.near & ~points.held;
@@ -189,7 +188,7 @@ void TreeFilter::Visit(
   {
     return;
   }
-  if (depth >= MostHalvings || frame.IsNearlyAffine(AffineEnough) || !Tree->Split(node))
+  if (depth >= MaxSubdivisions || frame.IsNearlyAffine(AffineEnough) || !Tree->Split(node))
   {
     for (; left != 0; left &= left - 1)
     {

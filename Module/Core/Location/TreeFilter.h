@@ -44,7 +44,7 @@ private:
 
   const TreeKernels& Kernels = GetTreeKernels();
   ElementTree* Tree = nullptr;
-  int MostHalvings = 0;
+  int MaxSubdivisions = 0;
   double AffineEnough = 0.0;
   BoxesOfGroups Boxes;
   const LanePoints* Points = nullptr;

@@ -203,8 +203,8 @@ public:
 
 private:
   using NumberTag = hwy::HWY_NAMESPACE::Rebind<std::int32_t, LaneTag>;
-  static constexpr std::size_t kMostLanes = 8;
-  using Orders = std::array<std::array<std::int32_t, kMostLanes>, 1U << kMostLanes>;
+  static constexpr std::size_t kMaxLanes = 8;
+  using Orders = std::array<std::array<std::int32_t, kMaxLanes>, 1U << kMaxLanes>;
   /// Of each set of lanes the numbers, in order, and then 0.
   static constexpr Orders kOrders = []
   {
@@ -212,7 +212,7 @@ private:
     for (std::size_t set = 0; set < orders.size(); ++set)
     {
       std::size_t count = 0;
-      for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+      for (std::size_t lane = 0; lane < kMaxLanes; ++lane)
       {
         if ((set >> lane & 1U) != 0)
         {

@@ -15,7 +15,7 @@ using namespace edges;
 namespace
 {
 /// Of xi: what located points may be off is measured where it could be more than that.
-constexpr double kMostAssumed = 1e-10;
+constexpr double kMaxAssumed = 1e-10;
 /// Of bounds: a larger part that falls with the node is worth smaller nodes.
 constexpr double kLoose = 0.25;
 /// Of the rise along an edge: halves of edges cost less than smaller nodes below that.
@@ -53,7 +53,7 @@ std::array<double, 3> EdgeBounds::ShiftOf(
   const EdgeNode& node, std::span<const LocatedPoint> points) const
 {
   const std::array<double, 3> most{ node.shift[0], node.shift[1], node.shift[2] };
-  if (std::ranges::all_of(most, [](double shift) { return shift <= kMostAssumed; }))
+  if (std::ranges::all_of(most, [](double shift) { return shift <= kMaxAssumed; }))
   {
     return most;
   }
@@ -243,8 +243,8 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
   {
     const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
     values = meeting.values;
-    divide = divide || (meeting.bends && node.halvings < effort.whereMapBends) ||
-      (meeting.curves && node.halvings < effort.whereFieldCurves);
+    divide = divide || (meeting.bends && node.subdivisions < effort.whereMapBends) ||
+      (meeting.curves && node.subdivisions < effort.whereFieldCurves);
   }
   if (!divide || !meets(values) || !Tree.CanSplit(node, effort.work))
   {
@@ -289,8 +289,8 @@ bool EdgeBounds::MayTake(
       {
         return false;
       }
-      divide = divide || (meeting.bends && node.halvings < effort.whereMapBends) ||
-        (meeting.curves && node.halvings < effort.whereFieldCurves);
+      divide = divide || (meeting.bends && node.subdivisions < effort.whereMapBends) ||
+        (meeting.curves && node.subdivisions < effort.whereFieldCurves);
     }
     return !divide || !Tree.CanSplit(node, effort.work) ||
       std::ranges::any_of(Tree.Split(node), [&](const EdgeNode& half) { return self(self, half); });

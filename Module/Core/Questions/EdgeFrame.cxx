@@ -57,7 +57,7 @@ bool EdgeFrame::Misses(const EdgeFunctions& functions, const WideOutline& region
     return false;
   }
   const auto corners = region.outline.Corners();
-  std::array<Vec3, Outline::kMostCorners> places;
+  std::array<Vec3, Outline::kMaxCorners> places;
   Vec3 unsure(0.0);
   for (std::size_t i = 0; i < corners.size(); ++i)
   {

@@ -23,9 +23,9 @@ using edges::SumOf;
 
 namespace
 {
-/// Halvings of boxes on which the map is not regular, and of those where it is: of functions with
-/// few coefficients. Nodes of many cost more, and there are fewer of them.
-constexpr int kMostHalvings[2] = { 20, 22 };
+/// Subdivisions of boxes on which the map is not regular, and of those where it is: of functions
+/// with few coefficients. Nodes of many cost more, and there are fewer of them.
+constexpr int kMaxSubdivisions[2] = { 20, 22 };
 constexpr double kFewCoefficients = 216.0;
 /// Of the map and the component at a point, and of four of their modes, in nanoseconds.
 constexpr std::int64_t kCostOfView = 200;
@@ -37,8 +37,8 @@ constexpr std::int64_t kCostOfHardSample = 250'000;
 constexpr std::int64_t kCostOfOperation = 200;
 constexpr std::int64_t kCostOfJet = 1000;
 /// Of boxes that cost nothing: how often they are halved at most, and what they may cost together.
-constexpr int kMostFree = 8;
-constexpr std::int64_t kMostFreeCost = 50'000'000;
+constexpr int kMaxFree = 8;
+constexpr std::int64_t kMaxFreeCost = 50'000'000;
 } // namespace
 
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element,
@@ -62,7 +62,7 @@ EdgeFunctions::Modes EdgeFunctions::ModesOf(const Mesh& mesh, const ElementBound
   const int count = component < 0 ? field.values.components : 1;
   if (field.function != nullptr)
   {
-    const double most = kMostMiss * mesh.size[static_cast<std::size_t>(element)];
+    const double most = kMaxMiss * mesh.size[static_cast<std::size_t>(element)];
     const Vec3 off(
       most * bounds.uncertainty[0], most * bounds.uncertainty[1], most * bounds.uncertainty[2]);
     const bool isNorm = component < 0 && count > 1;
@@ -206,7 +206,7 @@ void EdgeFunctions::ChooseLevel()
     fewer(PieceForm::Of(Component.space, Level).Size()) };
   for (std::size_t k = 0; k < 2; ++k)
   {
-    Halvings[k] = kMostHalvings[k] - besides[k];
+    Subdivisions[k] = kMaxSubdivisions[k] - besides[k];
   }
   const auto coefficients = [this](const ScaledModes& modes)
   { return static_cast<std::int64_t>(PieceForm::Of(modes.space, Level).Size()); };
@@ -216,7 +216,7 @@ void EdgeFunctions::ChooseLevel()
   {
     Cost += kCostOfOperation * static_cast<std::int64_t>(Jet->Operations());
   }
-  while (Free < kMostFree && Cost << (Free + 1) <= kMostFreeCost)
+  while (Free < kMaxFree && Cost << (Free + 1) <= kMaxFreeCost)
   {
     ++Free;
   }
@@ -312,11 +312,11 @@ bool EdgeFunctions::IsFlatOver(const EtaBox& box) const
 EdgeFunctions::Linear EdgeFunctions::LinearValues(
   const Vec3& xi, std::span<const Vec3> places, double slopeError) const
 {
-  constexpr std::size_t kMost = Outline::kMostCorners + Outline::kMostCuts;
+  constexpr std::size_t kMax = Outline::kMaxCorners + Outline::kMaxCuts;
   // Of all components: at each place the value, its square, and its product with the sum of all.
-  std::array<double, kMost> values{};
-  std::array<double, kMost> squares{};
-  std::array<double, kMost> products{};
+  std::array<double, kMax> values{};
+  std::array<double, kMax> squares{};
+  std::array<double, kMax> products{};
   Linear linear;
   double square = 0.0;
   double size = 0.0;

@@ -59,12 +59,12 @@ public:
   [[nodiscard]] const std::array<double, 3>& Uncertainty() const { return Unsure; }
   /// How often boxes are worth halving: those on which the map is not regular, and those where it
   /// is.
-  [[nodiscard]] int Deepest(bool regular) const { return Halvings[regular ? 1 : 0]; }
+  [[nodiscard]] int Deepest(bool regular) const { return Subdivisions[regular ? 1 : 0]; }
   /// About what it costs to halve one, in nanoseconds of one core.
-  [[nodiscard]] std::int64_t HalvingCost(const EtaBox& box) const;
+  [[nodiscard]] std::int64_t SubdivisionCost(const EtaBox& box) const;
   /// How often large boxes are halved for nothing: there are few of them, and many questions share
   /// them.
-  [[nodiscard]] int FreeHalvings() const { return Free; }
+  [[nodiscard]] int FreeSubdivisions() const { return Free; }
   /// The same of the map and the component at a point.
   [[nodiscard]] std::int64_t ViewCost() const { return CostOfView; }
   /// The same of finding a point's xi, and the value there, where the map is regular and where it
@@ -161,7 +161,7 @@ private:
     const Mesh& mesh, const ElementBounds& bounds, int element, Modes modes, double rounding);
   [[nodiscard]] std::vector<EdgePolynomials::Function> Functions() const;
   /// Holds det J, in the element's units, over the element.
-  [[nodiscard]] Interval DivisorOver(const EtaBox& box, int halvings) const;
+  [[nodiscard]] Interval DivisorOver(const EtaBox& box, int subdivisions) const;
   void TakeSlack(const QuotientModes& quotient);
   void BoundErrors(double rounding);
   template <class Visit>
@@ -191,7 +191,7 @@ private:
   int Count;
   bool Known;
   int Level = 0;
-  int Halvings[2] = {};
+  int Subdivisions[2] = {};
   std::int64_t Cost = 0;
   int Free = 0;
   std::int64_t CostOfView = 0;

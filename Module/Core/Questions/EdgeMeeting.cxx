@@ -92,7 +92,7 @@ struct AffineImages
   [[nodiscard]] std::span<const Vec3> Places() const { return { images.data(), count }; }
 
   std::size_t count;
-  std::array<Vec3, Outline::kMostCorners> images;
+  std::array<Vec3, Outline::kMaxCorners> images;
   double besides[3];
 };
 
@@ -151,7 +151,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   const Shape shape = functions.GetShape();
   const auto corners = region.outline.Corners();
   const std::size_t count = corners.size();
-  std::array<Vec3, Outline::kMostCorners> ends;
+  std::array<Vec3, Outline::kMaxCorners> ends;
   std::ranges::transform(
     corners, ends.begin(), [&](const Vec3& x) { return functions.InUnits(x); });
   const auto farthest = [&](auto&& distanceOf)
@@ -213,7 +213,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     const int d = static_cast<int>(k);
     away[k] = std::min(away[k], (node.reach[k] + std::fabs(view.xi[d] - node.centre[d])) * kUp);
   }
-  std::array<Vec3, Outline::kMostCorners> steps;
+  std::array<Vec3, Outline::kMaxCorners> steps;
   std::ranges::transform(std::span(ends).first(count), steps.begin(),
     [&](const Vec3& end) { return view.inverse * (end - view.y); });
   // What the computed Jacobian and its inverse leave of the steps' equations, in y.

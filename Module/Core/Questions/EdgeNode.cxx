@@ -22,10 +22,11 @@ namespace
 constexpr double kMargin = 0.25;
 /// Row sums of (I - |M J - I|)^-1 up to which a box is regular, with xi counted in lengths in
 /// space.
-constexpr double kMostSolution = 10.0 / 3.0;
+constexpr double kMaxSolution = 10.0 / 3.0;
 /// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
 constexpr double kExplained = 0.125;
-/// Halvings of a box, on which the map is regular, after which bounds of the field are given up.
+/// Subdivisions of a box, on which the map is regular, after which bounds of the field are given
+/// up.
 constexpr int kMaxUnbounded = 12;
 /// Of bounds along straight lines, up to which those that are left are worth asking.
 constexpr double kSharper = 0.5;
@@ -148,7 +149,7 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
     most = std::max(most, sum);
     reach[i] = away[static_cast<int>(i)];
   }
-  straight = BoundSolution(turn, kMostSolution, solution);
+  straight = BoundSolution(turn, kMaxSolution, solution);
   if (straight)
   {
     return true;
@@ -158,7 +159,7 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
   {
     direction = TurningDirection(functions, *this, sides, kExplained * most).value_or(direction);
   }
-  return BoundSolution(turn, sides, kMostSolution, solution);
+  return BoundSolution(turn, sides, kMaxSolution, solution);
 }
 
 void EdgeNode::DescribeCurves(
@@ -199,7 +200,7 @@ void EdgeNode::DescribeCurves(
     for (std::size_t c = 0; c < 3; ++c)
     {
       lean[k] += std::fabs(inverse[k][c]);
-      shift[k] += std::fabs(inverse[k][c]) * kMostMiss * functions.Uncertainty()[c];
+      shift[k] += std::fabs(inverse[k][c]) * kMaxMiss * functions.Uncertainty()[c];
     }
   }
   std::ranges::copy(derivatives.beside, beside);
@@ -239,7 +240,7 @@ void EdgeNode::DescribeCurves(
     std::isfinite(beside[0] + beside[1] + beside[2]);
   straight = straight && regular;
   // Where an expression is still not bounded, it has a pole, or is not smooth.
-  flat = flat || (functions.HasJet() && !regular && halvings >= kMaxUnbounded);
+  flat = flat || (functions.HasJet() && !regular && subdivisions >= kMaxUnbounded);
 }
 
 void EdgeNode::DescribeSlopes(const EdgePolynomials::Curves& curves)

@@ -86,7 +86,7 @@ struct EdgeNode
   std::array<EdgeNodeEnd, 6> boxEnds;
   std::array<EdgeNodeEnd, 6> wideEnds;
   double lean[3]{}; ///< by how much it moves, for a unit in y
-  int halvings = 0;
+  int subdivisions = 0;
 
   int direction = 0; ///< of eta, across which it is halved
 

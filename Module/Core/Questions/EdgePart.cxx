@@ -26,8 +26,8 @@ constexpr double kLooseOfPart = 0.5;
 /// A part of a plane as seen from a triangle's first corner: x = x0 + s (x1 - x0) + t (x2 - x0).
 struct InTriangle
 {
-  std::array<double, Outline::kMostCorners> s{};
-  std::array<double, Outline::kMostCorners> t{};
+  std::array<double, Outline::kMaxCorners> s{};
+  std::array<double, Outline::kMaxCorners> t{};
   double mostS = 0.0; ///< |s|
   double mostT = 0.0;
   double bentS = 0.0; ///< |s^2 - s|
@@ -202,7 +202,7 @@ std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
   double besides[3];
   double off[3];
   double beside[3];
-  std::array<Vec3, Outline::kMostCorners> places;
+  std::array<Vec3, Outline::kMaxCorners> places;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const Vec3 step = seen->s[i] * sides[0] + seen->t[i] * sides[1];

@@ -146,7 +146,7 @@ EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Functio
 
 EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Function> functions,
   int level, const PieceForm::Piece& piece, const List& ofMap)
-  : TheShape(map.space.shape)
+  : shape_(map.space.shape)
   , Map(DegreeOf(map, level),
       Joined(ValuesOf(map, 0, 3, level, piece), PartOf(ofMap, 0, 3 * kSlopes)))
   , IsByXi(AreByXi(map.space.shape, ofMap))
@@ -159,7 +159,7 @@ EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Functio
 
 EdgePolynomials::EdgePolynomials(
   Shape shape, PolynomialBatch map, PolynomialBatch bends, PolynomialBatch field)
-  : TheShape(shape)
+  : shape_(shape)
   , Map(std::move(map))
   , IsByXi(true)
   , Bends(std::move(bends))
@@ -183,10 +183,10 @@ std::unique_ptr<const EdgePolynomials> EdgePolynomials::Lowered() const
   }
   // Not make_unique, which sees nothing private.
   return std::unique_ptr<const EdgePolynomials>(
-    new EdgePolynomials(TheShape, std::move(map), Bends.Lowered(kLeftOut), std::move(field)));
+    new EdgePolynomials(shape_, std::move(map), Bends.Lowered(kLeftOut), std::move(field)));
 }
 
-EdgePolynomials::Cost EdgePolynomials::HalvingCost() const
+EdgePolynomials::Cost EdgePolynomials::SubdivisionCost() const
 {
   return { CostOf(Map.Degree()), CostOf(Field.Degree()) };
 }
@@ -252,10 +252,10 @@ EdgePolynomials::Hulls EdgePolynomials::Over(
   Hulls hulls;
   if (bounded)
   {
-    const Vec3 centre = CentreOf(TheShape, *box);
+    const Vec3 centre = CentreOf(shape_, *box);
     hulls.curves.emplace();
     std::array<AffineBound, 3 * kBends> ofMap;
-    Bends.BoundsOver(within, bends, PlacesIn(TheShape, *box, centre, Bends.Degree()), ofMap);
+    Bends.BoundsOver(within, bends, PlacesIn(shape_, *box, centre, Bends.Degree()), ofMap);
     for (std::size_t c = 0; c < 3; ++c)
     {
       std::copy_n(ofMap.begin() + static_cast<std::ptrdiff_t>(kBends * c), kBends,
@@ -263,7 +263,7 @@ EdgePolynomials::Hulls EdgePolynomials::Over(
     }
     if (field.size() == kOfEach)
     {
-      Field.BoundsOver(within, field, PlacesIn(TheShape, *box, centre, Field.Degree()),
+      Field.BoundsOver(within, field, PlacesIn(shape_, *box, centre, Field.Degree()),
         hulls.curves->functions.emplace_back());
     }
   }
@@ -323,9 +323,9 @@ void EdgePolynomials::MakeByXi(const Box3& within, Hulls& hulls) const
   for (HessianFunction::XiRanges& function : hulls.functions)
   {
     put(3, function);
-    function = HessianFunction::RangesByXi(TheShape, all)[3];
+    function = HessianFunction::RangesByXi(shape_, all)[3];
   }
-  const auto ranges = HessianFunction::RangesByXi(TheShape, all);
+  const auto ranges = HessianFunction::RangesByXi(shape_, all);
   std::copy_n(ranges.begin(), 3, hulls.map.begin());
 }
 } // namespace pixelexact

@@ -45,7 +45,7 @@ public:
     std::int64_t ofMap = 0;
     std::int64_t ofRest = 0;
   };
-  [[nodiscard]] Cost HalvingCost() const;
+  [[nodiscard]] Cost SubdivisionCost() const;
   [[nodiscard]] static std::int64_t CostOf(const Degrees& degree);
 
   /// About the bytes held.
@@ -92,7 +92,7 @@ private:
   EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,
     const PieceForm::Piece& piece, const std::vector<BoxPolynomial>& ofMap);
 
-  Shape TheShape;
+  Shape shape_;
   PolynomialBatch Map; ///< images, then derivatives by xi
   bool IsByXi; ///< the second derivatives below are by xi: no polynomials have to be divided by
   PolynomialBatch Bends; ///< of the map: derivatives of those by eta, or second ones by xi

@@ -21,8 +21,8 @@ namespace
 /// part of that of pieces that are side by side, in most of which a box ends nowhere.
 constexpr std::int64_t kCostOfNodes = 25000;
 constexpr std::int64_t kShareOfPieces = 4;
-/// Halvings of each direction after which det J is given up.
-constexpr int kMostOfDivisor = 4;
+/// Subdivisions of each direction after which det J is given up.
+constexpr int kMaxOfDivisor = 4;
 
 AffineBound Scaled(const AffineBound& bound, int exponent)
 {
@@ -159,7 +159,7 @@ void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& 
   Kept->With(piece, make, visit);
 }
 
-std::int64_t EdgeFunctions::HalvingCost(const EtaBox& box) const
+std::int64_t EdgeFunctions::SubdivisionCost(const EtaBox& box) const
 {
   if (Level == 0)
   {
@@ -175,8 +175,8 @@ std::int64_t EdgeFunctions::HalvingCost(const EtaBox& box) const
         [&]
         {
           auto cost = std::make_unique<EdgePolynomials::Cost>();
-          WithPolynomials(
-            piece, [&](const EdgePolynomials& polynomials) { *cost = polynomials.HalvingCost(); });
+          WithPolynomials(piece,
+            [&](const EdgePolynomials& polynomials) { *cost = polynomials.SubdivisionCost(); });
           return cost;
         });
       ofMap += own.ofMap;
@@ -242,7 +242,7 @@ Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
     components.push_back(RangeOver(box, Component, c, Part::Value));
     if (Divisor)
     {
-      components.back() = Widened(components.back(), Slack[0]) / DivisorOver(box, kMostOfDivisor);
+      components.back() = Widened(components.back(), Slack[0]) / DivisorOver(box, kMaxOfDivisor);
     }
   }
   return ValuesOf(components);
@@ -483,10 +483,10 @@ void EdgeFunctions::AddJet(const JetBounds& jet, Derivatives& ranges) const
   }
 }
 
-Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
+Interval EdgeFunctions::DivisorOver(const EtaBox& box, int subdivisions) const
 {
   const Interval whole = Widened(RangeOver(box, *Divisor, 0, Part::Value), DivisorSlack[0]);
-  if (halvings == 0 || !whole.Contains(0.0))
+  if (subdivisions == 0 || !whole.Contains(0.0))
   {
     return whole;
   }
@@ -499,7 +499,7 @@ Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
     {
       ((corner >> d & 1) != 0 ? part.lower : part.upper)[d] = middle[d];
     }
-    all = Join(all, DivisorOver(part, halvings - 1));
+    all = Join(all, DivisorOver(part, subdivisions - 1));
     if (all.Contains(0.0))
     {
       break;

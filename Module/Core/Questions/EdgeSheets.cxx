@@ -20,7 +20,7 @@ namespace
 {
 /// Of Newton's iteration towards where a sheet leaves its element.
 constexpr int kExitSteps = 8;
-/// Halvings of a node for a chord.
+/// Subdivisions of a node for a chord.
 constexpr int kSmaller = 6;
 /// In xi, after a step: far less than what exits are beside the element.
 constexpr double kArrived = 1e-12;
@@ -103,9 +103,9 @@ double OnSheet::Sagitta(const EdgeTree& tree, const SheetPoint& a, const SheetPo
   double sagitta = Sagitta(*node, *pencil, a, b, at);
   for (int k = 0; k < kSmaller && !std::isfinite(sagitta) && node->regular; ++k)
   {
-    const auto& halves = tree.Split(*node);
+    const auto& children = tree.Split(*node);
     const int d = node->direction;
-    node = &halves[etas[2][d] <= halves[0].box.upper[d] ? 0 : 1];
+    node = &children[etas[2][d] <= children[0].box.upper[d] ? 0 : 1];
     if (!node->wide.Holds(etas[0]) || !node->wide.Holds(etas[1]))
     {
       break;
@@ -144,7 +144,7 @@ bool EdgeBounds::MayMeet(
       {
         return false;
       }
-      divide = meeting.bends && node.halvings < effort.whereMapBends;
+      divide = meeting.bends && node.subdivisions < effort.whereMapBends;
     }
     return !divide || !Tree.CanSplit(node, effort.work) ||
       std::ranges::any_of(Tree.Split(node), [&](const EdgeNode& half) { return self(self, half); });

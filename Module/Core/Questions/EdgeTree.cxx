@@ -33,28 +33,28 @@ const std::array<EdgeNode, 2>& EdgeTree::Split(const EdgeNode& node) const
   }
   const int direction = node.direction;
   const double middle = 0.5 * (node.box.lower[direction] + node.box.upper[direction]);
-  auto halves = std::make_unique<std::array<EdgeNode, 2>>();
+  auto children = std::make_unique<std::array<EdgeNode, 2>>();
   for (std::size_t k = 0; k < 2; ++k)
   {
-    EdgeNode& half = (*halves)[k];
+    EdgeNode& half = (*children)[k];
     half.box = node.box;
     (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
-    half.halvings = node.halvings + 1;
+    half.subdivisions = node.subdivisions + 1;
     half.Describe(Functions, node.values);
   }
-  node.children.store(halves.get(), std::memory_order_release);
-  return *halves.release();
+  node.children.store(children.get(), std::memory_order_release);
+  return *children.release();
 }
 
 bool EdgeTree::Affords(const EdgeNode& node, EdgeWork& work) const
 {
-  if (node.halvings < Functions.FreeHalvings())
+  if (node.subdivisions < Functions.FreeSubdivisions())
   {
     return work.IsLeft();
   }
   const Vec3 sides = node.bounds.upper - node.bounds.lower;
   const double cost = work.PartOf({ sides.x, sides.y, sides.z }) *
-    static_cast<double>(Functions.HalvingCost(node.wide));
+    static_cast<double>(Functions.SubdivisionCost(node.wide));
   return work.Affords(node, static_cast<std::int64_t>(cost));
 }
 
@@ -85,9 +85,9 @@ const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work, bool straight)
     {
       work->Spend(kCostOfLook);
     }
-    const auto& halves = Split(*node);
+    const auto& children = Split(*node);
     const int d = node->direction;
-    node = &halves[eta[d] <= halves[0].box.upper[d] ? 0 : 1];
+    node = &children[eta[d] <= children[0].box.upper[d] ? 0 : 1];
   }
   return *node;
 }

@@ -30,7 +30,7 @@ public:
   /// Whether halves of a node are worth it, and `work` is left for them; null: any.
   [[nodiscard]] bool CanSplit(const EdgeNode& node, EdgeWork* work) const
   {
-    return !node.flat && node.halvings < Functions.Deepest(node.regular) &&
+    return !node.flat && node.subdivisions < Functions.Deepest(node.regular) &&
       (!work || Affords(node, *work));
   }
   /// The regular half of a regular node that holds all of these eta, with its margin; null where

@@ -51,7 +51,7 @@ public:
   /// Whether the halves of a node may be looked at, which costs so much the first time.
   [[nodiscard]] bool Affords(const EdgeNode& node, std::int64_t cost)
   {
-    if (Halved.contains(&node))
+    if (Subdivided.contains(&node))
     {
       return IsLeft();
     }
@@ -59,7 +59,7 @@ public:
     {
       return false;
     }
-    Halved.insert(&node);
+    Subdivided.insert(&node);
     return true;
   }
   [[nodiscard]] bool Affords(std::int64_t cost)
@@ -75,7 +75,7 @@ public:
   [[nodiscard]] bool IsSpent() const { return Refused; }
 
 private:
-  std::unordered_set<const EdgeNode*> Halved;
+  std::unordered_set<const EdgeNode*> Subdivided;
   double Width = 0.0;
   std::int64_t Most;
   std::int64_t Left;

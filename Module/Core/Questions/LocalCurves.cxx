@@ -19,7 +19,7 @@ double At(const AffineBound& bound, const Vec3& x)
 }
 
 /// Of row sums of what inverting leaves.
-constexpr double kMostOff = 1e-3;
+constexpr double kMaxOff = 1e-3;
 
 double MagnitudeOf(const double (&form)[6], const double (&away)[3])
 {
@@ -98,7 +98,7 @@ LocalExpansion::LocalExpansion(
     }
     Turn[k] += edges::kRoundoffs * size;
     // Written so that a NaN is not known.
-    Known = Known && Turn[k] <= kMostOff;
+    Known = Known && Turn[k] <= kMaxOff;
     for (std::size_t p = 0; p < 6; ++p)
     {
       for (std::size_t j = 0; j < 3; ++j)

@@ -102,7 +102,7 @@ std::optional<Vec3> FindByModel(
   }
 
   // Bounds |xi - at| of the preimages: they are no farther from the affine map's than D is large.
-  std::array<Vec3, Outline::kMostCorners> places;
+  std::array<Vec3, Outline::kMaxCorners> places;
   double away[3] = {};
   double farther[3] = {};
   for (std::size_t i = 0; i < images.size(); ++i)

@@ -131,11 +131,11 @@ private:
   /// Of g . W Phi(xi(u)) - f(xi(u)), by u.
   [[nodiscard]] double BendAlong(const EdgeNode& node, const Pencil& pencil, const Values& at,
     const Vec3& d, const Bent& f) const;
-  [[nodiscard]] bool IsNorm() const { return TheSheet.face < 0 && Of.Components() > 1; }
+  [[nodiscard]] bool IsNorm() const { return sheet_.face < 0 && Of.Components() > 1; }
 
   const EdgeFunctions& Of;
   const std::array<EdgeNodeEnd, 6>& Ends;
-  Sheet TheSheet;
+  Sheet sheet_;
   std::size_t Own = 6; ///< the element's end that the face is
 };
 } // namespace pixelexact

@@ -13,7 +13,7 @@ namespace pixelexact
 class Outline
 {
 public:
-  static constexpr std::size_t kMostCorners = 4;
+  static constexpr std::size_t kMaxCorners = 4;
 
   Outline() = default;
   Outline(const Vec3& from, const Vec3& to)
@@ -36,13 +36,13 @@ public:
   [[nodiscard]] Vec3 Middle() const;
 
   /// Keeps the points where depth(x), which is affine, is not negative, and some next to these, for
-  /// rounding. At most kMostCuts times.
+  /// rounding. At most kMaxCuts times.
   template <class Depth>
   void Keep(const Depth& depth);
-  static constexpr std::size_t kMostCuts = 7;
+  static constexpr std::size_t kMaxCuts = 7;
 
 private:
-  std::array<Vec3, kMostCorners + kMostCuts> Points{};
+  std::array<Vec3, kMaxCorners + kMaxCuts> Points{};
   std::size_t Count = 0;
 };
 
@@ -61,7 +61,7 @@ void Outline::Keep(const Depth& depth)
 {
   /// Of a side, by which cuts are moved outwards.
   constexpr double kBeside = 1e-12;
-  std::array<double, kMostCorners + kMostCuts> depths;
+  std::array<double, kMaxCorners + kMaxCuts> depths;
   bool any = false;
   bool all = true;
   for (std::size_t k = 0; k < Count; ++k)

@@ -281,9 +281,9 @@ Interval HeldOnPlane(
 }
 
 ElementPlateaus::ElementPlateaus(const Mesh& mesh, int element, const Field& field, int component)
-  : TheMesh(mesh)
+  : mesh_(mesh)
   , Element(element)
-  , TheField(field)
+  , field_(field)
   , Component(component)
   , MayHold(field.function == nullptr && field.mapping == Mapping::Identity && Modes().finite)
 {
@@ -291,16 +291,16 @@ ElementPlateaus::ElementPlateaus(const Mesh& mesh, int element, const Field& fie
 
 ScaledModes ElementPlateaus::Modes() const
 {
-  const Space& space = TheField.values.SpaceOf(Element);
+  const Space& space = field_.values.SpaceOf(Element);
   return { space,
-    TheField.values.Coefficients(Element) +
+    field_.values.Coefficients(Element) +
       static_cast<std::ptrdiff_t>(std::max(Component, 0)) * space.Modes(),
     Components() };
 }
 
 int ElementPlateaus::Components() const
 {
-  return Component < 0 ? TheField.values.components : 1;
+  return Component < 0 ? field_.values.components : 1;
 }
 
 const Interval& ElementPlateaus::InElement() const
@@ -319,22 +319,21 @@ const Interval& ElementPlateaus::OnFace(int face) const
   return Kept.Get(k,
     [this, k]
     {
-      return std::make_unique<const Interval>(MayHold
-          ? HeldOnFace(Modes(), Components(), FacesOf(TheMesh.ShapeOf(Element))[k])
-          : kNoValue);
+      return std::make_unique<const Interval>(
+        MayHold ? HeldOnFace(Modes(), Components(), FacesOf(mesh_.ShapeOf(Element))[k]) : kNoValue);
     });
 }
 
 Interval ElementPlateaus::OnPlane(const Vec3& point, const Vec3& normal) const
 {
-  const ScaledModes map(TheMesh.map.SpaceOf(Element), TheMesh.map.Coefficients(Element), 3);
+  const ScaledModes map(mesh_.map.SpaceOf(Element), mesh_.map.Coefficients(Element), 3);
   if (!MayHold || !map.finite)
   {
     return kNoValue;
   }
   const std::size_t e = 3 * static_cast<std::size_t>(Element);
-  const Vec3 centre(TheMesh.centre[e], TheMesh.centre[e + 1], TheMesh.centre[e + 2]);
-  const double size = TheMesh.size[static_cast<std::size_t>(Element)];
+  const Vec3 centre(mesh_.centre[e], mesh_.centre[e + 1], mesh_.centre[e + 2]);
+  const double size = mesh_.size[static_cast<std::size_t>(Element)];
   return HeldOnPlane(
     Modes(), Components(), map, { normal, glm::dot(normal, (point - centre) / size) });
 }

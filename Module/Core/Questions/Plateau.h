@@ -64,9 +64,9 @@ private:
   [[nodiscard]] ScaledModes Modes() const;
   [[nodiscard]] int Components() const;
 
-  const Mesh& TheMesh;
+  const Mesh& mesh_;
   int Element;
-  const Field& TheField;
+  const Field& field_;
   int Component;
   bool MayHold;
   MadeOnDemand<Interval> Kept{ 7 }; ///< of the faces, and last of the element

@@ -23,7 +23,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kMostOrder = 16;
+constexpr int kMaxOrder = 16;
 constexpr Part kValue[1] = { Part::Value };
 /// Largest ratio of the kernels' rounding to that of conversions (see RoundingInKernels).
 constexpr double kKernels = 4.0;
@@ -196,7 +196,7 @@ std::optional<Space> SpaceOfProducts(const Space& map, const Space& field, Mappi
                                                       : 1;
     const int factors = mapping == Mapping::Covariant ? 2 : (mapping == Mapping::Density ? 0 : 1);
     const int order = std::max(3 * m - lower, factors * m + field.order[d]);
-    if (order > kMostOrder)
+    if (order > kMaxOrder)
     {
       return std::nullopt;
     }

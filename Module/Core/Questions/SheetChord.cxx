@@ -14,7 +14,7 @@ namespace
 {
 constexpr int kChordRounds = 6;
 /// In xi: more than rays and hits are off by rounding, in thin elements seen from afar.
-constexpr double kMostRounding = 1e-7;
+constexpr double kMaxRounding = 1e-7;
 /// In xi: what no bound has to be below.
 constexpr double kTiny = 1e-15;
 } // namespace
@@ -22,7 +22,7 @@ constexpr double kTiny = 1e-15;
 OnSheet::Bent OnSheet::BentOf(const EdgeNode& node, const Values& at, const Numbers& near) const
 {
   Bent bent;
-  if (TheSheet.face >= 0)
+  if (sheet_.face >= 0)
   {
     return bent;
   }
@@ -119,7 +119,7 @@ std::optional<OnSheet::Tube> OnSheet::Contain(const EdgeNode& node, const Pencil
 /// tube's ends.
 bool OnSheet::IsInside(const EdgeNode& node, const Vec3& a, const Vec3& b, const Tube& tube) const
 {
-  if (tube.end.Largest() > kMostRounding)
+  if (tube.end.Largest() > kMaxRounding)
   {
     return false;
   }

@@ -27,7 +27,7 @@ OnSheet::OnSheet(
   const EdgeFunctions& functions, const std::array<EdgeNodeEnd, 6>& ends, const Sheet& sheet)
   : Of(functions)
   , Ends(ends)
-  , TheSheet(sheet)
+  , sheet_(sheet)
 {
   if (sheet.face >= 0)
   {
@@ -72,7 +72,7 @@ void OnSheet::Evaluate(std::span<const Vec3> xi, std::span<Values> all) const
   for (Values& at : all)
   {
     at.gradient /= IsNorm() ? at.size : 1.0;
-    at.f = at.size - TheSheet.value;
+    at.f = at.size - sheet_.value;
     at.size = std::fabs(at.size);
   }
 }
@@ -142,8 +142,7 @@ std::optional<OnSheet::Pencil> OnSheet::PencilOf(
 
 double OnSheet::ErrorOf(const Values& at) const
 {
-  return Own < 6 ? kRoundoffs
-                 : Of.ValueError() + kRoundoffs * (at.size + std::fabs(TheSheet.value));
+  return Own < 6 ? kRoundoffs : Of.ValueError() + kRoundoffs * (at.size + std::fabs(sheet_.value));
 }
 
 double OnSheet::SlopeErrorOf(const EdgeNode& node, const Values& at) const

@@ -2,7 +2,7 @@
 #include "Core/Tree/BoxCoefficients.h"
 
 #include "Core/Bernstein/ExtremeKernels.h"
-#include "Core/Bernstein/HalvingKernels.h"
+#include "Core/Bernstein/SubdivisionKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
@@ -63,7 +63,7 @@ void BoxCoefficients::Recentre()
   }
 }
 
-BoxCoefficients BoxCoefficients::Halve(const std::array<int, 3>& degree, int direction)
+BoxCoefficients BoxCoefficients::Subdivide(const std::array<int, 3>& degree, int direction)
 {
   for (std::size_t f = 0; f < error.size(); ++f)
   {
@@ -72,7 +72,7 @@ BoxCoefficients BoxCoefficients::Halve(const std::array<int, 3>& degree, int dir
   }
   BoxCoefficients upper;
   upper.values.resize(values.size());
-  pixelexact::Halve(degree, direction, values, upper.values);
+  pixelexact::Subdivide(degree, direction, values, upper.values);
   upper.error = error;
   upper.base = base;
   return upper;

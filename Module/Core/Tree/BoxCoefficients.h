@@ -25,6 +25,6 @@ struct BoxCoefficients
   /// Moves to the bases what the coefficients have in common.
   void Recentre();
   /// Becomes those over the lower half along a direction; returns those over the upper one.
-  BoxCoefficients Halve(const std::array<int, 3>& degree, int direction);
+  BoxCoefficients Subdivide(const std::array<int, 3>& degree, int direction);
 };
 } // namespace pixelexact

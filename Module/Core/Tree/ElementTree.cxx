@@ -13,7 +13,7 @@ namespace pixelexact
 namespace
 {
 /// A box halved this often in a direction is smaller than what rounding leaves to decide.
-constexpr int kMaxHalvings = 50;
+constexpr int kMaxSubdivisions = 50;
 constexpr double kPoint = 2e-12;
 
 constexpr Part kParts[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
@@ -24,7 +24,7 @@ constexpr Part kParts[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 std::int64_t CostOf(std::size_t size, int degree)
 {
   const auto count = static_cast<std::int64_t>(size);
-  return size > 3 * kMostWithSlopes ? count * (34 + 3 * degree) / 10 : count * (12 + degree / 2);
+  return size > 3 * kMaxWithSlopes ? count * (34 + 3 * degree) / 10 : count * (12 + degree / 2);
 }
 
 std::int64_t BytesOf(const BoxCoefficients& coefficients)
@@ -33,7 +33,7 @@ std::int64_t BytesOf(const BoxCoefficients& coefficients)
 }
 
 /// Pieces of a higher level than this are made where they are needed.
-constexpr int kMostLevel = 1;
+constexpr int kMaxLevel = 1;
 
 /// Errors of coefficients, in the element's units, that leave a box useful.
 constexpr double kCoarseError = 1e-6;
@@ -44,7 +44,7 @@ const PieceForm& FormWithin(const InverseProblem& problem, std::span<const doubl
 {
   const Space& space = problem.space;
   const int last = PieceForm::LevelOf(space.MaxOrder());
-  for (int level = last > kMostLevel ? 0 : last; level < last; ++level)
+  for (int level = last > kMaxLevel ? 0 : last; level < last; ++level)
   {
     const PieceForm& form = PieceForm::Of(space, level);
     bool small = true;
@@ -64,8 +64,8 @@ const PieceForm& FormWithin(const InverseProblem& problem, std::span<const doubl
 
 const PieceForm& CoarseForm(const InverseProblem& problem, const PieceForm& form)
 {
-  constexpr std::array<double, 3> kMost{ kCoarseError, kCoarseError, kCoarseError };
-  const PieceForm& coarse = FormWithin(problem, kMost);
+  constexpr std::array<double, 3> kMax{ kCoarseError, kCoarseError, kCoarseError };
+  const PieceForm& coarse = FormWithin(problem, kMax);
   return coarse.Level() < form.Level() ? coarse : form;
 }
 
@@ -81,9 +81,9 @@ ElementTree::ElementTree(
   const Mesh& mesh, int element, const ElementBounds& bounds, std::atomic<std::int64_t>& total)
   : Modes(mesh.map.Coefficients(element))
   , Bounds(bounds)
-  , TheProblem(MakeInverseProblem(mesh, element, Bounds))
-  , Form(FormWithin(TheProblem, TheProblem.uncertainty))
-  , Coarse(CoarseForm(TheProblem, Form))
+  , problem_(MakeInverseProblem(mesh, element, Bounds))
+  , Form(FormWithin(problem_, problem_.uncertainty))
+  , Coarse(CoarseForm(problem_, Form))
   , HasSlopes(true)
   , Total(total)
 {
@@ -91,7 +91,7 @@ ElementTree::ElementTree(
   {
     HasSlopes = HasSlopes &&
       PieceForm::IsClosed(
-        TheProblem.space, Modes + c * static_cast<std::size_t>(TheProblem.space.Modes()));
+        problem_.space, Modes + c * static_cast<std::size_t>(problem_.space.Modes()));
   }
 }
 
@@ -105,7 +105,7 @@ const std::array<int, 3>& ElementTree::Degree() const
   return Form.Degree();
 }
 
-int ElementTree::CoarseHalvings() const
+int ElementTree::CoarseSubdivisions() const
 {
   return 3 * (Form.Level() - Coarse.Level());
 }
@@ -127,7 +127,7 @@ std::int64_t ElementTree::SplitCost(const Node& node) const
 
 std::int64_t ElementTree::RegularCost(const Node& node) const
 {
-  return node.TheFrame.injective || IsJudgedByFrames()
+  return node.frame_.injective || IsClassifiedByFrames()
     ? 0
     : 2000 + 3 * CostOf(3 * Form.Size(), HighestDegree());
 }
@@ -137,9 +137,9 @@ int ElementTree::HighestDegree() const
   return *std::ranges::max_element(Form.Degree());
 }
 
-bool ElementTree::IsJudgedByFrames() const
+bool ElementTree::IsClassifiedByFrames() const
 {
-  return TheProblem.space.shape == Shape::Hexahedron && Form.Size() > kMostWithSlopes;
+  return problem_.space.shape == Shape::Hexahedron && Form.Size() > kMaxWithSlopes;
 }
 
 const std::vector<std::unique_ptr<ElementTree::Node>>& ElementTree::Pieces()
@@ -171,7 +171,7 @@ const std::vector<std::unique_ptr<ElementTree::Node>>& ElementTree::Pieces()
 BoxCoefficients ElementTree::ConvertPiece(
   const PieceForm& form, const std::array<int, 3>& piece, bool slopes) const
 {
-  const auto modes = static_cast<std::size_t>(TheProblem.space.Modes());
+  const auto modes = static_cast<std::size_t>(problem_.space.Modes());
   BoxCoefficients result;
   std::vector<double> converted(form.Size());
   for (std::size_t f = 0; f < (slopes ? 9U : 3U); ++f)
@@ -199,7 +199,7 @@ std::unique_ptr<ElementTree::Node> ElementTree::MakePiece(
   node->Piece = piece;
   if (IsCoarse(*node))
   {
-    node->Halvings.fill(form.Level());
+    node->Subdivisions.fill(form.Level());
   }
   return node;
 }
@@ -207,10 +207,10 @@ std::unique_ptr<ElementTree::Node> ElementTree::MakePiece(
 std::unique_ptr<ElementTree::Node> ElementTree::MakeNode(const EtaBox& box, BoxCoefficients phi)
 {
   auto node = std::make_unique<Node>();
-  node->TheFrame.box = box;
-  node->Point = IsPointBox(TheProblem.space.shape, box);
+  node->frame_.box = box;
+  node->Point = IsPointBox(problem_.space.shape, box);
   phi.Recentre();
-  MakeFrame(TheProblem.space, Modes, Bounds, phi, node->TheFrame);
+  MakeFrame(problem_.space, Modes, Bounds, phi, node->frame_);
   node->Phi = std::move(phi);
   Account(BytesOf(node->Phi) + static_cast<std::int64_t>(sizeof(Node)));
   return node;
@@ -222,8 +222,8 @@ std::unique_ptr<ElementTree::Node> ElementTree::MakeHalf(
   auto half = MakeNode(box, std::move(phi));
   half->Form = node.Form;
   half->Piece = node.Piece;
-  half->Halvings = node.Halvings;
-  ++half->Halvings[static_cast<std::size_t>(direction)];
+  half->Subdivisions = node.Subdivisions;
+  ++half->Subdivisions[static_cast<std::size_t>(direction)];
   return half;
 }
 
@@ -261,8 +261,8 @@ bool ElementTree::Split(Node& node)
   {
     return false;
   }
-  EtaBox lower = node.TheFrame.box;
-  EtaBox upper = node.TheFrame.box;
+  EtaBox lower = node.frame_.box;
+  EtaBox upper = node.frame_.box;
   const double middle = 0.5 * (lower.lower[direction] + lower.upper[direction]);
   lower.upper[direction] = middle;
   upper.lower[direction] = middle;
@@ -274,7 +274,7 @@ bool ElementTree::Split(Node& node)
   }
   else
   {
-    BoxCoefficients above = phi.Halve(Form.Degree(), direction);
+    BoxCoefficients above = phi.Subdivide(Form.Degree(), direction);
     node.Children = { MakeHalf(node, lower, direction, std::move(phi)),
       MakeHalf(node, upper, direction, std::move(above)) };
   }
@@ -296,20 +296,20 @@ bool ElementTree::IsCoarse(const Node& node) const
 bool ElementTree::LeadsToPieces(const Node& node) const
 {
   return IsCoarse(node) &&
-    node.Halvings[0] + node.Halvings[1] + node.Halvings[2] == 3 * Form.Level() - 1;
+    node.Subdivisions[0] + node.Subdivisions[1] + node.Subdivisions[2] == 3 * Form.Level() - 1;
 }
 
 /// Along which a node is halved; -1 where it is too small. What is coarse does not become narrower
 /// than a piece.
 int ElementTree::DirectionOf(const Node& node) const
 {
-  const int most = IsCoarse(node) ? Form.Level() : kMaxHalvings;
-  const auto mayBe = [&](int d) { return node.Halvings[static_cast<std::size_t>(d)] < most; };
-  if (mayBe(node.TheFrame.widest))
+  const int most = IsCoarse(node) ? Form.Level() : kMaxSubdivisions;
+  const auto mayBe = [&](int d) { return node.Subdivisions[static_cast<std::size_t>(d)] < most; };
+  if (mayBe(node.frame_.widest))
   {
-    return node.TheFrame.widest;
+    return node.frame_.widest;
   }
-  const Vec3 width = node.TheFrame.box.upper - node.TheFrame.box.lower;
+  const Vec3 width = node.frame_.box.upper - node.frame_.box.lower;
   int direction = -1;
   for (int d = 0; d < 3; ++d)
   {
@@ -324,11 +324,11 @@ int ElementTree::DirectionOf(const Node& node) const
 bool ElementTree::IsRegular(Node& node)
 {
   using Answer = Node::Answer;
-  if (node.TheFrame.injective)
+  if (node.frame_.injective)
   {
     return true;
   }
-  if (!HasSlopes || IsJudgedByFrames())
+  if (!HasSlopes || IsClassifiedByFrames())
   {
     return false;
   }
@@ -349,8 +349,8 @@ bool ElementTree::IsFlat(Node& node)
   if (flat == Answer::Unknown)
   {
     // Two threads may find the same.
-    flat = IsFlatOver(TheProblem.space, TheProblem.coefficients, node.TheFrame.box) ? Answer::Yes
-                                                                                    : Answer::No;
+    flat =
+      IsFlatOver(problem_.space, problem_.coefficients, node.frame_.box) ? Answer::Yes : Answer::No;
     node.IsFlat.store(flat, std::memory_order_relaxed);
   }
   return flat == Answer::Yes;
@@ -368,8 +368,8 @@ const BoxCoefficients& ElementTree::SlopesOf(Node& node)
     else
     {
       node.Slopes = SlopesOf(*node.Parent);
-      BoxCoefficients above =
-        node.Slopes.Halve(Form.Degree(), node.Parent->Direction.load(std::memory_order_relaxed));
+      BoxCoefficients above = node.Slopes.Subdivide(
+        Form.Degree(), node.Parent->Direction.load(std::memory_order_relaxed));
       if (node.IsUpper)
       {
         node.Slopes = std::move(above);

@@ -30,7 +30,7 @@ public:
   ElementTree& operator=(const ElementTree&) = delete;
 
   /// The element's map; Newton's iteration begins as the element's bounds say.
-  [[nodiscard]] const InverseProblem& Problem() const { return TheProblem; }
+  [[nodiscard]] const InverseProblem& Problem() const { return problem_; }
   /// The degree of Phi in each eta.
   [[nodiscard]] const std::array<int, 3>& Degree() const;
   /// The boxes that the tree begins with: together the whole element. Of high orders, they are
@@ -38,7 +38,7 @@ public:
   /// smaller pieces on which it is not (PieceForm.h) are converted where halving leads to them.
   const std::vector<std::unique_ptr<Node>>& Pieces();
   /// How often a coarse one is halved before its halves are converted.
-  [[nodiscard]] int CoarseHalvings() const;
+  [[nodiscard]] int CoarseSubdivisions() const;
   /// Makes a node's halves; false where it is too small.
   bool Split(Node& node);
   /// Whether the map is injective on a node's box and its reach (IsRegular).
@@ -66,7 +66,7 @@ private:
   [[nodiscard]] bool IsCoarse(const Node& node) const;
   [[nodiscard]] bool LeadsToPieces(const Node& node) const;
   [[nodiscard]] int DirectionOf(const Node& node) const;
-  [[nodiscard]] bool IsJudgedByFrames() const;
+  [[nodiscard]] bool IsClassifiedByFrames() const;
   [[nodiscard]] int HighestDegree() const;
   const BoxCoefficients& SlopesOf(Node& node);
   [[nodiscard]] BoxCoefficients ConvertPiece(
@@ -75,7 +75,7 @@ private:
 
   const double* Modes;
   ElementBounds Bounds;
-  InverseProblem TheProblem;
+  InverseProblem problem_;
   const PieceForm& Form;
   const PieceForm& Coarse; ///< of the boxes to begin with; the same where they are as good
   bool HasSlopes;          ///< the derivatives by xi are polynomials
@@ -91,7 +91,7 @@ class ElementTree::Node
 {
 public:
   /// Of the box; does not change.
-  [[nodiscard]] const NodeFrame& Frame() const { return TheFrame; }
+  [[nodiscard]] const NodeFrame& Frame() const { return frame_; }
   /// Every xi of the box is within 2e-12 of every other.
   [[nodiscard]] bool IsPoint() const { return Point; }
   /// After Split.
@@ -106,9 +106,9 @@ private:
     Yes
   };
 
-  NodeFrame TheFrame;
+  NodeFrame frame_;
   bool Point = false;
-  std::array<int, 3> Halvings{}; ///< of the piece; of what is coarse, of the element
+  std::array<int, 3> Subdivisions{}; ///< of the piece; of what is coarse, of the element
   Node* Parent = nullptr;
   bool IsUpper = false;            ///< of its parent's halves
   const PieceForm* Form = nullptr; ///< of its coefficients, over this piece of it

@@ -32,7 +32,7 @@ void SetOuter(double most, const ElementBounds& bounds, ImagePlane& plane)
 
 FrameMeasure::FrameMeasure(
   const Space& space, const ElementBounds& bounds, const BoxCoefficients& phi, NodeFrame& frame)
-  : TheSpace(space)
+  : space_(space)
   , Bounds(bounds)
   , Phi(phi)
   , Frame(frame)
@@ -55,7 +55,8 @@ FrameMeasure::FrameMeasure(
       From[c] = Row(6 + c);
     }
     // The coefficients' errors, the uncertainty of Phi and y, and the rounding of the products here
-    // and in Judge (TreeKernels.h), where y lies in the hull; sums are below 2 and these products.
+    // and in Classify (TreeKernels.h), where y lies in the hull; sums are below 2 and these
+    // products.
     Around[c] = Phi.error[c] + Bounds.uncertainty[c] +
       Gamma(32) * Frame.hull[c].RadiusAround(Frame.origin[c]);
   }
@@ -114,9 +115,9 @@ void FrameMeasure::MakeGrid(const std::array<int, 3>& degree)
     for (int j = 0; j <= degree[1]; ++j)
     {
       // Affine along a line.
-      const Vec3 first = TensorToReference(TheSpace.shape, { eta(0, i), eta(1, j), eta(2, 0) });
+      const Vec3 first = TensorToReference(space_.shape, { eta(0, i), eta(1, j), eta(2, 0) });
       const Vec3 last =
-        TensorToReference(TheSpace.shape, { eta(0, i), eta(1, j), eta(2, degree[2]) });
+        TensorToReference(space_.shape, { eta(0, i), eta(1, j), eta(2, degree[2]) });
       const Vec3 from = first - Frame.centre;
       const Vec3 step = (last - first) / static_cast<double>(std::max(1, degree[2]));
       const double begin[3] = { from.x, from.y, from.z };
@@ -144,8 +145,8 @@ double FrameMeasure::SlackOf(const double* row) const
 
 std::array<double, 3> FrameMeasure::Measure()
 {
-  const auto normal = EndNormals(TheSpace.shape, Frame.box);
-  const bool cube = TheSpace.shape == Shape::Hexahedron;
+  const auto normal = EndNormals(space_.shape, Frame.box);
+  const bool cube = space_.shape == Shape::Hexahedron;
   const FrameTask task = Task(cube ? std::span<const double[3]>() : std::span(normal));
   const FrameSums sums = GetFrameKernels().measure(task);
   for (std::size_t d = 0; d < 3; ++d)
@@ -176,14 +177,14 @@ std::array<double, 3> FrameMeasure::Measure()
       continue;
     }
     SetOuter(sums.outer[k] + slack, Bounds, plane);
-    plane.inner = NextDown(DepthOf(TheSpace.shape, Frame.box, static_cast<int>(k), Frame.centre) +
-      sums.inner[k] - slack);
+    plane.inner = NextDown(
+      DepthOf(space_.shape, Frame.box, static_cast<int>(k), Frame.centre) + sums.inner[k] - slack);
   }
-  const auto degree = TheSpace.TensorDegree();
+  const auto degree = space_.TensorDegree();
   const DeviationSteps steps = Steps(degree);
-  if (TheSpace.shape == Shape::Hexahedron && sums.all == 0.0)
+  if (space_.shape == Shape::Hexahedron && sums.all == 0.0)
   {
-    Frame.injective = IsInjective(degree, steps, Frame, Size > kMostWithSlopes);
+    Frame.injective = IsInjective(degree, steps, Frame, Size > kMaxWithSlopes);
   }
   std::array<double, 3> variation{};
   for (std::size_t j = 0; j < 3; ++j)
@@ -197,7 +198,7 @@ std::array<double, 3> FrameMeasure::Measure()
 
 void FrameMeasure::TiltPlanes(std::span<const SmallMatrix, 6> jacobian)
 {
-  const auto inXi = EndNormals(TheSpace.shape, Frame.box);
+  const auto inXi = EndNormals(space_.shape, Frame.box);
   std::array<double[3], 6> normal{};
   std::array<bool, 6> known{};
   for (std::size_t k = 0; k < 6; ++k)

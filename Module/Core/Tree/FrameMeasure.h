@@ -40,7 +40,7 @@ private:
   double* Row(std::size_t k) { return &Values[k * Padded]; }
   void Fill(double* row) const;
 
-  const Space& TheSpace;
+  const Space& space_;
   const ElementBounds& Bounds;
   const BoxCoefficients& Phi;
   NodeFrame& Frame;

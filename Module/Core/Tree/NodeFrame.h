@@ -14,7 +14,7 @@ namespace pixelexact
 {
 /// Of a hexahedron with more coefficients than this frames alone tell whether the map is regular in
 /// a box: the derivatives' own are three times as many, and it costs less to halve the box again.
-inline constexpr std::size_t kMostWithSlopes = 9 * 9 * 9;
+inline constexpr std::size_t kMaxWithSlopes = 9 * 9 * 9;
 
 /// What an end of a box becomes in y. All values of Phi over the box have
 /// normal . (y - origin) <= outer; the normal is that of the frame, or of the end itself where the

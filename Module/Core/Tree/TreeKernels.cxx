@@ -40,11 +40,12 @@ HWY_INLINE Lanes Beyond(double end, const Lanes& xi, const Lanes& twiceExtent)
 }
 
 template <bool kWide>
-NodeJudgement JudgePoints(const NodeFrame& frame, const double* const y[3], std::uint64_t bits)
+NodeClassification ClassifyPoints(
+  const NodeFrame& frame, const double* const y[3], std::uint64_t bits)
 {
   const LanePoints points{ { y[0], y[1], y[2] }, kGroupPoints };
-  NodeJudgement judgement;
-  judgement.near = ForEachPackIn(bits,
+  NodeClassification classification;
+  classification.near = ForEachPackIn(bits,
     [&](int i) PIXELEXACT_INLINED
     {
       const auto at = LoadPoint<Lanes>(points, i);
@@ -73,28 +74,29 @@ NodeJudgement JudgePoints(const NodeFrame& frame, const double* const y[3], std:
         out = Or(out, Splat(kWide ? plane.wider : plane.outer) < along);
         beside = Or(beside, Splat(plane.inner) < along);
       }
-      judgement.held |= BitsOf(AndNot(in, beside)) << static_cast<unsigned>(i);
+      classification.held |= BitsOf(AndNot(in, beside)) << static_cast<unsigned>(i);
       return AndNot(in, out);
     });
-  judgement.held &= judgement.near;
-  return judgement;
+  classification.held &= classification.near;
+  return classification;
 }
 
-NodeJudgement Judge(const NodeFrame& frame, const double* const y[3], std::uint64_t bits)
+NodeClassification Classify(const NodeFrame& frame, const double* const y[3], std::uint64_t bits)
 {
-  return JudgePoints<false>(frame, y, bits);
+  return ClassifyPoints<false>(frame, y, bits);
 }
 
-NodeJudgement JudgeWidely(const NodeFrame& frame, const double* const y[3], std::uint64_t bits)
+NodeClassification ClassifyWidely(
+  const NodeFrame& frame, const double* const y[3], std::uint64_t bits)
 {
-  return JudgePoints<true>(frame, y, bits);
+  return ClassifyPoints<true>(frame, y, bits);
 }
 
-NodeJudgement JudgeBoxesWidely(
+NodeClassification ClassifyBoxesWidely(
   const NodeFrame& frame, const BoxesOfGroups& boxes, std::uint64_t bits)
 {
-  NodeJudgement judgement;
-  judgement.near = ForEachPackIn(bits,
+  NodeClassification classification;
+  classification.near = ForEachPackIn(bits,
     [&](int i) PIXELEXACT_INLINED
     {
       const Point<Lanes> middle = LoadGroup(boxes.middle, i);
@@ -115,7 +117,7 @@ NodeJudgement JudgeBoxesWidely(
       LaneMask whole = held;
       if (!frame.framed)
       {
-        judgement.whole |= BitsOf(And(near, whole)) << static_cast<unsigned>(i);
+        classification.whole |= BitsOf(And(near, whole)) << static_cast<unsigned>(i);
         return near;
       }
       if (!None(near))
@@ -145,13 +147,13 @@ NodeJudgement JudgeBoxesWidely(
         }
         whole = And(whole, beside);
       }
-      judgement.held |= BitsOf(And(near, held)) << static_cast<unsigned>(i);
-      judgement.whole |= BitsOf(And(near, whole)) << static_cast<unsigned>(i);
+      classification.held |= BitsOf(And(near, held)) << static_cast<unsigned>(i);
+      classification.whole |= BitsOf(And(near, whole)) << static_cast<unsigned>(i);
       return near;
     });
-  judgement.held &= judgement.near;
-  judgement.whole &= judgement.near;
-  return judgement;
+  classification.held &= classification.near;
+  classification.whole &= classification.near;
+  return classification;
 }
 
 void Scale(const LanePoints& x, int begin, int count, const double* centre, double inverseSize,
@@ -197,7 +199,7 @@ std::uint64_t Reached(
 
 const TreeKernels& TreeKernelSet()
 {
-  static constexpr TreeKernels kKernels{ &Judge, &JudgeWidely, &JudgeBoxesWidely, &Reached,
+  static constexpr TreeKernels kKernels{ &Classify, &ClassifyWidely, &ClassifyBoxesWidely, &Reached,
     &Scale };
   return kKernels;
 }

@@ -34,7 +34,7 @@ struct BoxesOfGroups
 };
 
 /// What a node says of points, a bit each; or of boxes of points.
-struct NodeJudgement
+struct NodeClassification
 {
   /// A xi of the node's box might map to the point; to all others hull or planes prove that none
   /// does.
@@ -48,13 +48,14 @@ struct NodeJudgement
 struct TreeKernels
 {
   /// Of the points in `bits`, y in the element's units, padded to whole packs.
-  NodeJudgement (*judge)(const NodeFrame& frame, const double* const y[3], std::uint64_t bits);
+  NodeClassification (*classify)(
+    const NodeFrame& frame, const double* const y[3], std::uint64_t bits);
   /// The same with ImagePlane::wider for points that are excluded.
-  NodeJudgement (*judgeWidely)(
+  NodeClassification (*classifyWidely)(
     const NodeFrame& frame, const double* const y[3], std::uint64_t bits);
   /// That of whole boxes: not near where judgeWidely would exclude all points, held where it would
   /// call all held.
-  NodeJudgement (*judgeBoxesWidely)(
+  NodeClassification (*classifyBoxesWidely)(
     const NodeFrame& frame, const BoxesOfGroups& boxes, std::uint64_t bits);
   /// Of the points in `bits`, those whose root lies in the box, reaching beyond its ends by `reach`
   /// of its widths (see IsRegular), or beyond that by no more than its tolerance.

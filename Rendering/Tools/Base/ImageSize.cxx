@@ -66,7 +66,7 @@ ImageSize ParseImageSize(const std::string& option, const std::string& text)
       Refuse(option, text, kImageSizeForm);
     }
     size.inches = { lengths[0] / perInch, lengths[1] / perInch };
-    return AtDpi(size, kUsualDpi);
+    return AtDpi(size, kDefaultDpi);
   }
   if (!ParseInteger(width, size.width) || !ParseInteger(height, size.height) || size.width < 1 ||
     size.height < 1)

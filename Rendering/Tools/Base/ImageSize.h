@@ -15,7 +15,7 @@ struct ImageSize
   std::optional<std::array<double, 2>> inches; ///< as given; none: pixels were
 };
 /// Pixels in an inch where a size is a length and --dpi is not given.
-inline constexpr double kUsualDpi = 300.0;
+inline constexpr double kDefaultDpi = 300.0;
 /// Converts a size that is a length to pixels; `dpi` is their number in an inch. A size in pixels
 /// is returned as it is. Throws UsageError for a size that is too small or too large.
 ImageSize AtDpi(const ImageSize& size, double dpi);

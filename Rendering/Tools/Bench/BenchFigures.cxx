@@ -21,10 +21,10 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kUsualElements = 5000;
-constexpr int kMostElements = 1000000;
+constexpr int kDefaultElements = 5000;
+constexpr int kMaxElements = 1000000;
 /// Coefficients beyond this are not made: 2 GB.
-constexpr std::int64_t kMostCoefficients = 250000000;
+constexpr std::int64_t kMaxCoefficients = 250000000;
 
 struct Row
 {
@@ -121,7 +121,7 @@ bool Fits(const BlockKind& kind)
 {
   const std::int64_t each = UniformSpace(kind.shape, kind.order).Modes() +
     3 * UniformSpace(kind.shape, kind.curved ? 3 : 1).Modes();
-  return each * kind.elements <= kMostCoefficients;
+  return each * kind.elements <= kMaxCoefficients;
 }
 struct Case
 {
@@ -139,7 +139,7 @@ void AddOrders(const BenchFigureOptions& options, std::vector<Case>& cases)
       for (const int order : { 3, 6, 8, 14 })
       {
         cases.push_back(
-          { { shape, curved, order, std::min(kUsualElements, options.largest) }, options.size });
+          { { shape, curved, order, std::min(kDefaultElements, options.largest) }, options.size });
       }
     }
   }
@@ -167,13 +167,14 @@ void AddGrowth(const BenchFigureOptions& options, std::vector<Case>& cases)
     }
     for (const double factor : { 0.5, 1.0, 2.0 })
     {
-      cases.push_back({ { Shape::Hexahedron, curved, 6, std::min(kUsualElements, options.largest) },
-        Scaled(options.size, factor, factor) });
+      cases.push_back(
+        { { Shape::Hexahedron, curved, 6, std::min(kDefaultElements, options.largest) },
+          Scaled(options.size, factor, factor) });
     }
   }
-  if (kMostElements <= options.largest)
+  if (kMaxElements <= options.largest)
   {
-    cases.push_back({ { Shape::Hexahedron, false, 3, kMostElements }, options.size });
+    cases.push_back({ { Shape::Hexahedron, false, 3, kMaxElements }, options.size });
   }
 }
 

@@ -186,7 +186,7 @@ Vec3 Moved(const Vec3& at)
 } // namespace
 
 BlockParts::BlockParts(Shape shape, bool curved)
-  : TheShape(shape)
+  : shape_(shape)
   , Curved(curved)
   , OfCube(PartsOfCube(shape))
   , Basis(ChangeOfBasis::FromFunctions(UniformSpace(shape, curved ? 3 : 1),
@@ -209,7 +209,7 @@ std::vector<Vec3> BlockParts::SourceValues(int part, const Vec3& at, int side) c
     }
     return values;
   }
-  const AffineMap frame = AffineMapOf(TheShape, corners);
+  const AffineMap frame = AffineMapOf(shape_, corners);
   for (const auto& [i, j, k] : CubicLattice())
   {
     values.push_back(Bend(toWorld(at + frame.origin +

@@ -22,7 +22,7 @@ public:
   [[nodiscard]] std::vector<Vec3> SourceValues(int part, const Vec3& at, int side) const;
 
 private:
-  Shape TheShape;
+  Shape shape_;
   bool Curved;
   std::vector<std::vector<Vec3>> OfCube; ///< corners
   ChangeOfBasis Basis;

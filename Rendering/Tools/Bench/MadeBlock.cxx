@@ -103,8 +103,8 @@ MadeBlock::MadeBlock(const BlockKind& kind)
             uniform(random) * std::exp2(-p - q - r);
         });
     });
-  TheField.name = std::string("u");
-  TheField.values = { FieldSpace, SpaceOf, FieldOffset, FieldCoefficients, 1 };
+  field_.name = std::string("u");
+  field_.values = { FieldSpace, SpaceOf, FieldOffset, FieldCoefficients, 1 };
 }
 
 Mesh MadeBlock::GetMesh() const

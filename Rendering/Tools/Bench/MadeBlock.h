@@ -30,7 +30,7 @@ public:
 
   /// Views of this object's arrays.
   [[nodiscard]] Mesh GetMesh() const;
-  [[nodiscard]] const Field& GetField() const { return TheField; }
+  [[nodiscard]] const Field& GetField() const { return field_; }
 
 private:
   std::vector<Space> MapSpace;
@@ -43,6 +43,6 @@ private:
   std::vector<double> Centre;
   std::vector<double> Size;
   std::vector<double> Uncertainty;
-  Field TheField;
+  Field field_;
 };
 } // namespace pixelexact

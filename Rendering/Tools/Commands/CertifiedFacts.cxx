@@ -20,7 +20,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr std::size_t kMostListed = 10;
+constexpr std::size_t kMaxListed = 10;
 
 /// Passes progress on as a part of the whole work.
 class Steps
@@ -167,7 +167,7 @@ CertifiedFacts Certify(const LoadedModel& input)
     const auto validity = static_cast<std::size_t>(verdicts[e].validity);
     ++facts.count[validity];
     lower = std::min(lower, verdicts[e].jacobian.outer.lower);
-    if (verdicts[e].validity != Validity::Valid && facts.first[validity].size() < kMostListed)
+    if (verdicts[e].validity != Validity::Valid && facts.first[validity].size() < kMaxListed)
     {
       facts.first[validity].push_back(input.model->SourceCells()[e]);
     }

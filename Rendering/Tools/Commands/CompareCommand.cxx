@@ -45,7 +45,7 @@ struct CompareOptions
   ContourOptions contours;
   TradeOptions trade;
   DifferenceOptions difference;
-  KnobOptions knobs;
+  QualityOptions quality;
 };
 
 /// Options of shots and contours that pictures of values have no use for.
@@ -222,9 +222,9 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
     CompareSolutions(options.shot, options.difference, options.trade.Output(), common);
     return;
   }
-  if (options.knobs.Stride() > 1 || options.shot.input.truncateOrder)
+  if (options.quality.Stride() > 1 || options.shot.input.truncateOrder)
   {
-    throw UsageError(std::string(options.knobs.Stride() > 1 ? "--stride" : "--truncate-order") +
+    throw UsageError(std::string(options.quality.Stride() > 1 ? "--stride" : "--truncate-order") +
       " is among what is compared; leave it out, or name orders with --truncate-orders");
   }
   options.contours.Check(options.shot.MakeLayers());
@@ -301,7 +301,7 @@ void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& a
   options->contours.AddTo(command);
   options->trade.AddTo(command);
   options->difference.AddTo(command);
-  options->knobs.AddTo(command, options->shot);
+  options->quality.AddTo(command, options->shot);
   // A difference is read against its bar.
   options->difference.AskForFigure();
 }

@@ -51,7 +51,7 @@ PictureTexts TextsOf(const Shot& shot, const InputRequest& first, const InputReq
   PictureTexts texts{ { "Source", DescribeFiles(first.files) },
     { "With", DescribeFiles(second.files) }, { "Command", command.Text() },
     { "Pixels", PixelsText(numbers) } };
-  for (const std::string& given : KnobFacts{ 1, shot.truncated }.Texts())
+  for (const std::string& given : QualityFacts{ 1, shot.truncated }.Texts())
   {
     texts.emplace_back("Given up", given);
   }
@@ -111,7 +111,7 @@ void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
   }
   nlohmann::ordered_json summary{ { "output", picture }, { "solution", other.name },
     { "pixels", ToJson(numbers) }, { "range", facts.range } };
-  KnobFacts{ 1, prepared.truncated }.AddTo(summary);
+  QualityFacts{ 1, prepared.truncated }.AddTo(summary);
   summary["command"] = command.Words();
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
@@ -167,7 +167,7 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
       { "relative_length", row.size.length }, { "pixels", ToJson(row.numbers) } });
   }
   summary["convergence"] = convergence.ToJson();
-  KnobFacts{ 1, prepared.truncated }.AddTo(summary);
+  QualityFacts{ 1, prepared.truncated }.AddTo(summary);
   summary["command"] = command.Words();
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
@@ -181,7 +181,7 @@ void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
   {
     throw UsageError("--stride: differences are of each pixel; leave it out");
   }
-  shot.size = AtDpi(shot.size, kUsualDpi);
+  shot.size = AtDpi(shot.size, kDefaultDpi);
   shot.CheckRangeOfOne();
   if (shot.colors.Range().of == RangeRule::Of::Field)
   {

@@ -184,7 +184,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
 /// Six coordinates and a number of points, or four in a plane, whose z become 0.
 std::vector<double> ReadLine(const std::string& text)
 {
-  constexpr double kMost = 1e9;
+  constexpr double kMax = 1e9;
   const bool isPlane = std::ranges::count(text, ',') == kPlaneCommas;
   std::vector<double> numbers = ReadNumbers("--line", text, isPlane ? 5 : 7, kLineForm);
   if (isPlane)
@@ -192,7 +192,7 @@ std::vector<double> ReadLine(const std::string& text)
     numbers.insert(numbers.begin() + 2, 0.0);
     numbers.insert(numbers.begin() + 5, 0.0);
   }
-  if (!(numbers[6] >= 2.0 && numbers[6] <= kMost && numbers[6] == std::floor(numbers[6])))
+  if (!(numbers[6] >= 2.0 && numbers[6] <= kMax && numbers[6] == std::floor(numbers[6])))
   {
     Refuse("--line", text, std::string(kLineForm) + " with a whole number n from 2 to 1000000000");
   }

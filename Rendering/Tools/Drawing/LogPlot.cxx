@@ -15,7 +15,7 @@ namespace
 constexpr Rgba kInk{ 40, 40, 40, 255 };
 constexpr Rgba kGrid{ 225, 225, 225, 255 };
 constexpr Rgba kPaper{ 255, 255, 255, 255 };
-constexpr int kMostTicks = 9;
+constexpr int kMaxTicks = 9;
 
 /// Powers of ten about positive numbers.
 class Scale
@@ -60,7 +60,7 @@ public:
       : 0.0;
     return std::lerp(Begin, End, std::clamp(part, 0.0, 1.0));
   }
-  [[nodiscard]] std::vector<Tick> Ticks() const { return TicksWithin(Range, true, kMostTicks); }
+  [[nodiscard]] std::vector<Tick> Ticks() const { return TicksWithin(Range, true, kMaxTicks); }
   [[nodiscard]] bool Zero() const { return HasZero; }
   [[nodiscard]] bool Infinity() const { return HasInfinity; }
 

@@ -13,13 +13,13 @@ namespace
 {
 /// Of a step, up to which a value counts as an end of the range.
 constexpr double kRounding = 1e-9;
-constexpr int kMostDigits = 17;
+constexpr int kMaxDigits = 17;
 
 /// In as few digits as tell them apart.
 std::vector<Tick> Written(const std::vector<double>& values)
 {
   std::vector<Tick> ticks;
-  for (int digits = 1; digits <= kMostDigits; ++digits)
+  for (int digits = 1; digits <= kMaxDigits; ++digits)
   {
     ticks.clear();
     std::set<std::string> texts;
@@ -114,7 +114,7 @@ std::vector<Tick> TicksOfBands(
   }
   constexpr int kFewestDigits = 3;
   std::vector<Tick> ticks;
-  for (int digits = kFewestDigits; digits <= kMostDigits; ++digits)
+  for (int digits = kFewestDigits; digits <= kMaxDigits; ++digits)
   {
     ticks.clear();
     std::set<std::string> texts;

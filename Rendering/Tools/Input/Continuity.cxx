@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kMostElements = 200000;
+constexpr int kMaxElements = 200000;
 /// Relative to the spread of the values, and to their size.
 constexpr double kLargestJump = 1e-7;
 constexpr double kRounding = 1e-12;
@@ -157,7 +157,7 @@ bool Continuity::IsContinuous() const
 
 std::vector<Continuity> CompareAcrossElements(const Mesh& mesh, std::span<const Field> fields)
 {
-  const int elements = std::min(mesh.Elements(), kMostElements);
+  const int elements = std::min(mesh.Elements(), kMaxElements);
   std::array<std::vector<Vec3>, kShapeCount> pointsOf;
   for (int shape = 0; shape < kShapeCount; ++shape)
   {

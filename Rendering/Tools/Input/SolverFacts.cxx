@@ -21,7 +21,7 @@ namespace
 {
 using Counts = std::map<int, std::int64_t>;
 
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMaxListed = 12;
 
 Counts Count(vtkDataArray* array)
 {
@@ -52,9 +52,9 @@ void AddRow(Table& table, const char* label, const char* what, const SolverFacts
   std::vector<std::string> entries;
   for (const auto& [id, count] : counts)
   {
-    if (entries.size() == kMostListed)
+    if (entries.size() == kMaxListed)
     {
-      entries.push_back(fmt::format("and {} more", counts.size() - kMostListed));
+      entries.push_back(fmt::format("and {} more", counts.size() - kMaxListed));
       break;
     }
     entries.push_back(fmt::format(

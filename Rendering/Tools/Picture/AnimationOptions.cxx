@@ -21,7 +21,7 @@ constexpr const char* kTurnForm = "DEGREES:N";
 
 bool ReadFrames(const std::string& text, int& frames)
 {
-  return ParseInteger(text, frames) && frames >= 1 && frames <= AnimationOptions::kMostFrames;
+  return ParseInteger(text, frames) && frames >= 1 && frames <= AnimationOptions::kMaxFrames;
 }
 
 /// About an axis of unit length (O. Rodrigues, 1840).

@@ -19,7 +19,7 @@ struct InputRequest;
 class AnimationOptions
 {
 public:
-  static constexpr int kMostFrames = 1000000;
+  static constexpr int kMaxFrames = 1000000;
 
   void AddTo(CLI::App& command);
   /// Throws UsageError for numbers of frames that differ, and options that have no effect.

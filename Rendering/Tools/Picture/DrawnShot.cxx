@@ -23,7 +23,7 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
   View view = ViewOf(options.shot.colors, &options.contours, shot);
-  view.stride = options.knobs.Stride();
+  view.stride = options.quality.Stride();
   return AreSeveralProcesses() ? TraceTogether(view, others, progress)
                                : Trace(view, others, progress);
 }
@@ -41,7 +41,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   if (paths && shot.appearance.edges)
   {
     edges = shot.appearance.faces != nullptr ? std::nullopt : PathsOfEdges(shot, Pixels);
-    TellWhatStays("element edges", edges.has_value());
+    ReportUnchanged("element edges", edges.has_value());
   }
   const bool hasContours = painter.Contours() != nullptr;
   std::optional<std::vector<ContourPath>> contours;
@@ -52,7 +52,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   }
   if (paths && hasContours)
   {
-    TellWhatStays("contours", contours.has_value());
+    ReportUnchanged("contours", contours.has_value());
   }
   Pipeline pipeline = painter.MakePipeline({ .edges = !edges, .contours = !contours });
   Told.AddTo(pipeline, shot, Pixels);
@@ -74,7 +74,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   }
   if (hasContours)
   {
-    TheFound.contours = FindContours(*Colors, Pixels, Labels);
+    found_.contours = FindContours(*Colors, Pixels, Labels);
   }
   if (options.outline.IsAsked() && paths)
   {
@@ -85,15 +85,15 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   {
     options.outline.Draw(shot, Pixels);
   }
-  TheFound.knobs = { options.knobs.Stride(), shot.truncated };
-  TheFound.values = ValuesSeen(Pixels, -std::numeric_limits<double>::infinity());
+  found_.quality = { options.quality.Stride(), shot.truncated };
+  found_.values = ValuesSeen(Pixels, -std::numeric_limits<double>::infinity());
   if (!Told.IsInPlace() && !options.contours.Only())
   {
-    TheFound.beyond = CountBeyond(Pixels, Colors->Ranges(), options.shot.colors.Logarithm());
+    found_.beyond = CountBeyond(Pixels, Colors->Ranges(), options.shot.colors.Logarithm());
   }
 }
 
-void DrawnShot::TellWhatStays(const char* what, bool arePaths)
+void DrawnShot::ReportUnchanged(const char* what, bool arePaths)
 {
   if (!arePaths)
   {
@@ -158,7 +158,7 @@ std::string DrawnShot::Vectors(
 {
   const ColorOptions& colors = Options.shot.colors;
   const ImageSize& size = Options.shot.size;
-  VectorCanvas canvas(format, size.width, size.height, Options.Dpi().value_or(kUsualDpi),
+  VectorCanvas canvas(format, size.width, size.height, Options.Dpi().value_or(kDefaultDpi),
     colors.BackgroundColor(), Options.figure.FontOf(size), Options.font.Choice());
   canvas.Place(colors.Flatten(Pixels));
   Over.Draw(canvas, Pixels.width, Pixels.height);

@@ -39,7 +39,7 @@ public:
   [[nodiscard]] const DebugOptions& Debug() const { return Told; }
   /// Null where there are none.
   [[nodiscard]] const ContourCertifier* Contours() const { return Colors->GetPainter().Contours(); }
-  [[nodiscard]] const Found& WhatIsFound() const { return TheFound; }
+  [[nodiscard]] const Found& WhatIsFound() const { return found_; }
 
   /// The picture alone, or with a figure around it.
   [[nodiscard]] Image Picture() const;
@@ -52,7 +52,7 @@ public:
   [[nodiscard]] std::string PixelsText() const;
 
 private:
-  void TellWhatStays(const char* what, bool arePaths);
+  void ReportUnchanged(const char* what, bool arePaths);
   void AddLines(std::vector<std::vector<CanvasPoint>> paths, double width, const Rgba& color);
   void AddContours(const std::vector<ContourPath>& contours);
   void DrawFigure(Canvas& canvas) const;
@@ -65,6 +65,6 @@ private:
   std::optional<int> Labels; ///< written, where they were asked for
   VectorLines Over;
   std::vector<std::string> Staying;
-  Found TheFound;
+  Found found_;
 };
 } // namespace pixelexact

@@ -20,7 +20,7 @@ namespace pixelexact
 namespace
 {
 /// How often a place is halved, and how far a line may then be from it, in pixels.
-constexpr int kHalvings = 6;
+constexpr int kSubdivisions = 6;
 constexpr double kTolerance = 1.0 / 64;
 constexpr std::size_t kBatch = 1024;
 
@@ -72,11 +72,11 @@ std::vector<PixelStep> StepsOf(const SampleBuffers& of)
   return steps;
 }
 
-/// Halves the places between pixels' centres.
-class Halving
+/// Children the places between pixels' centres.
+class Subdivision
 {
 public:
-  Halving(const Shot& shot, const Plane& plane, const SampleBuffers& of)
+  Subdivision(const Shot& shot, const Plane& plane, const SampleBuffers& of)
     : Rays(shot.MakeCamera())
     , Through(plane.Point())
     , Normal(plane.Normal({}))
@@ -89,7 +89,7 @@ public:
   {
     std::vector<double> low(steps.size(), 0.0);
     double half = 0.5;
-    for (int k = 0; k < kHalvings; ++k, half *= 0.5)
+    for (int k = 0; k < kSubdivisions; ++k, half *= 0.5)
     {
       std::vector<Vec3> points;
       points.reserve(steps.size());
@@ -148,10 +148,10 @@ std::optional<std::vector<std::vector<CanvasPoint>>> PathsOfEdges(
   {
     return std::nullopt;
   }
-  const Halving halve(shot, *plane, frame.centres);
+  const Subdivision subdivide(shot, *plane, frame.centres);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, steps.size(), kBatch),
     [&](const tbb::blocked_range<std::size_t>& part)
-    { halve(std::span(steps).subspan(part.begin(), part.size())); });
+    { subdivide(std::span(steps).subspan(part.begin(), part.size())); });
   return PathsOf(steps, kTolerance);
 }
 } // namespace pixelexact

@@ -26,12 +26,12 @@ namespace
 constexpr double kSmallestFont = 8.0;
 constexpr double kLargestFont = 200.0;
 constexpr double kPointsPerInch = 72.0;
-constexpr double kUsualPoints = 7.0;
+constexpr double kDefaultPoints = 7.0;
 constexpr double kSmallestPoints = 4.0;
 /// Of the font's size: the room for a title.
 constexpr int kTitle = 3;
 /// The least of a picture, in pixels.
-constexpr int kLeast = 32;
+constexpr int kMin = 32;
 
 /// "u", "|v|" of a magnitude, "v 0" of a component.
 std::string NameOf(const Layer& layer)
@@ -119,7 +119,7 @@ int FigureOptions::FontOf(const ImageSize& figure) const
   // A point of print has a length, where the figure has one.
   const double point = figure.inches ? figure.width / (*figure.inches)[0] / kPointsPerInch : 1.0;
   const double usual =
-    figure.inches ? kUsualPoints * point : std::clamp(figure.height / 40.0, 10.0, kLargestFont);
+    figure.inches ? kDefaultPoints * point : std::clamp(figure.height / 40.0, 10.0, kLargestFont);
   const double size = FontSize ? *FontSize * (InPoints ? point : 1.0) : usual;
   return static_cast<int>(std::clamp(size, kSmallestFont, kLargestFont));
 }
@@ -144,8 +144,7 @@ void FigureOptions::Check(const ImageSize& size) const
     throw UsageError("--font-size: points have no size in pixels here; give --size in mm or in");
   }
   const ImageSize picture = PictureSize(size);
-  if (Asked &&
-    (picture.width < kLeast || picture.height < kLeast || size.height < 18 * FontOf(size)))
+  if (Asked && (picture.width < kMin || picture.height < kMin || size.height < 18 * FontOf(size)))
   {
     throw UsageError(fmt::format("--figure: {} x {} pixels have no room for it with letters of {}; "
                                  "choose a larger --size, or a smaller --font-size",

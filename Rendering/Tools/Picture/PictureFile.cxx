@@ -61,7 +61,7 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
 {
   PictureFacts facts{ options.Dpi(), told, options.jpegQuality };
   // Whoever gets the file is to know, whatever else it tells.
-  if (const auto given = drawn.WhatIsFound().knobs.Texts(); !given.empty())
+  if (const auto given = drawn.WhatIsFound().quality.Texts(); !given.empty())
   {
     facts.texts.emplace_back("Given up", fmt::format("{}", fmt::join(given, "\n")));
   }

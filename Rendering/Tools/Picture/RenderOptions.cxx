@@ -39,14 +39,14 @@ void RenderOptions::AddTo(CLI::App& command)
   font.AddTo(command);
   outline.AddTo(command);
   animation.AddTo(command);
-  knobs.AddTo(command, shot);
+  quality.AddTo(command, shot);
   Bind(command, "--dpi", dpi);
   Bind(command, "--jpeg-quality", jpegQuality);
 }
 
 std::optional<double> RenderOptions::Dpi() const
 {
-  return dpi ? dpi : shot.size.inches ? std::optional(kUsualDpi) : std::nullopt;
+  return dpi ? dpi : shot.size.inches ? std::optional(kDefaultDpi) : std::nullopt;
 }
 
 void RenderOptions::Check(const std::string& picture)
@@ -75,12 +75,12 @@ void RenderOptions::Check(const std::string& picture)
     throw UsageError("--jpeg-quality has no effect on '" + picture + "'; name a .jpg");
   }
   animation.Check(shot.input);
-  knobs.Check(*shot.command);
+  quality.Check(*shot.command);
   if (!animation.IsAsked(shot.input))
   {
     shot.CheckRangeOfOne();
   }
-  shot.size = AtDpi(shot.size, Dpi().value_or(kUsualDpi));
+  shot.size = AtDpi(shot.size, Dpi().value_or(kDefaultDpi));
   buffers.Check();
   font.Check();
   const std::vector<LayerSettings> layers = shot.MakeLayers();

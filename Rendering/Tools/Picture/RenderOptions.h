@@ -9,7 +9,7 @@
 #include "Scene/BufferOptions.h"
 #include "Scene/ContourOptions.h"
 #include "Scene/DebugOptions.h"
-#include "Scene/Knobs.h"
+#include "Scene/QualitySettings.h"
 #include "Scene/Shot.h"
 
 #include <optional>
@@ -29,7 +29,7 @@ struct RenderOptions
   FontOptions font;
   MeshOutline outline;
   AnimationOptions animation;
-  KnobOptions knobs;
+  QualityOptions quality;
   std::optional<double> dpi;
   int jpegQuality = 0;
   std::string output;

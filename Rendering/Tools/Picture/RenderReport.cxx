@@ -172,7 +172,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
       { "largest_difference", pixels.floatCheck.largest } };
   }
   debug.AddTo(summary);
-  found.knobs.AddTo(summary);
+  found.quality.AddTo(summary);
   const LocationCounters& location = shot.scene.locator->Counters();
   summary["location"] = { { "queries", location.queries.load() },
     { "candidates", location.candidates.load() }, { "careful", location.careful.load() },
@@ -235,7 +235,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
       Short(pixels.floatCheck.largest), Counted(pixels.floatCheck.points, "point"));
   }
   debug.AddTo(table);
-  found.knobs.AddTo(table);
+  found.quality.AddTo(table);
   AddStages(table, stopwatch);
   if (!command.chosen.empty())
   {

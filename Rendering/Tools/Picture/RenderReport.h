@@ -3,8 +3,8 @@
 
 #include "Base/Provenance.h"
 #include "Picture/ContourReport.h"
-#include "Scene/Knobs.h"
 #include "Scene/LayerRanges.h"
+#include "Scene/QualitySettings.h"
 
 #include <array>
 #include <optional>
@@ -23,7 +23,7 @@ struct Found
   std::optional<std::array<double, 2>> values; ///< of exact pixels
   PixelsBeyond beyond;                         ///< ranges of colour maps
   std::optional<FoundContours> contours;       ///< where they were asked for
-  KnobFacts knobs;                             ///< what was given up
+  QualityFacts quality;                        ///< what was given up
 };
 
 /// On stdout.

@@ -49,7 +49,7 @@ void CheckForSeveralProcesses(const RenderOptions& options)
   {
     RefuseSeveralProcesses("--show jumps, which asks for all neighbours,");
   }
-  if (options.knobs.Stride() > 1)
+  if (options.quality.Stride() > 1)
   {
     RefuseSeveralProcesses("--stride");
   }

@@ -38,7 +38,7 @@ Buffer BufferNamed(const std::string& name)
 void BufferOptions::AddTo(CLI::App& added)
 {
   Command = &added;
-  Bind(added, "--buffers", TheFile);
+  Bind(added, "--buffers", file_);
   Bind(added, "--arrays", [this](const std::string& text) { Names = SplitAt(text, ','); });
   FillHelp(added, "--arrays", "arrays", Listed(ArrayNames()));
 }
@@ -78,7 +78,7 @@ Buffer BufferOptions::Needs(bool hasField) const
   {
     throw Error("--arrays: the input has no field, so there is no 'Value'; leave it out");
   }
-  if (!TheFile.empty() && Names.empty())
+  if (!file_.empty() && Names.empty())
   {
     ForEachBuffer(
       [&](const auto& row)

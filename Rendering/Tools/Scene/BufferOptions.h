@@ -22,7 +22,7 @@ public:
   /// Throws UsageError for names that are of no array, or of one that another option makes.
   void Check() const;
 
-  [[nodiscard]] const std::string& File() const { return TheFile; }
+  [[nodiscard]] const std::string& File() const { return file_; }
   /// Names of arrays; empty: all that there are.
   [[nodiscard]] const std::vector<std::string>& Arrays() const { return Names; }
   /// The buffers to be traced for it. Throws Error where one needs a field and there is none.
@@ -30,7 +30,7 @@ public:
 
 private:
   const CLI::App* Command = nullptr;
-  std::string TheFile;
+  std::string file_;
   std::vector<std::string> Names;
 };
 } // namespace pixelexact

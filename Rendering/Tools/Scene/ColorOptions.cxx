@@ -82,9 +82,9 @@ void CheckLogarithm(const char* option, const RangeRule& range)
 void ColorOptions::AddTo(CLI::App& command)
 {
   Bind(command, "--range",
-    [this](const std::string& text) { TheRange = ReadRange("--range", text, ','); });
+    [this](const std::string& text) { range_ = ReadRange("--range", text, ','); });
   Bind(command, "--colormap", Map);
-  Bind(command, "--bands", TheBands);
+  Bind(command, "--bands", bands_);
   Bind(command, "--log", Log);
   Bind(command, "--nan-color", NanColor);
   Bind(command, "--color", Color);
@@ -107,7 +107,7 @@ void ColorOptions::Check() const
 {
   if (Log)
   {
-    CheckLogarithm("--range", TheRange);
+    CheckLogarithm("--range", range_);
   }
   CheckMap("--colormap", Map);
 }
@@ -141,7 +141,7 @@ vtkSmartPointer<vtkLookupTable> ColorOptions::TableOver(
   const std::array<double, 2>& range, const std::optional<std::string>& map) const
 {
   const auto smooth = TableOf(map.value_or(Map), { 0.0, 1.0 });
-  const int count = TheBands.value_or(static_cast<int>(smooth->GetNumberOfTableValues()));
+  const int count = bands_.value_or(static_cast<int>(smooth->GetNumberOfTableValues()));
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(count);
   table->SetTableRange(range[0], range[1]);

@@ -30,7 +30,7 @@ public:
   void Check() const;
 
   /// Of all layers that do not say so themselves.
-  [[nodiscard]] const RangeRule& Range() const { return TheRange; }
+  [[nodiscard]] const RangeRule& Range() const { return range_; }
   [[nodiscard]] bool Logarithm() const { return Log; }
   /// The colour in the place of the map's; none: by value.
   [[nodiscard]] std::optional<std::array<double, 3>> Solid() const;
@@ -44,7 +44,7 @@ public:
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
   /// So many steps of colour in the place of a smooth map; none: smooth.
-  [[nodiscard]] std::optional<int> Bands() const { return TheBands; }
+  [[nodiscard]] std::optional<int> Bands() const { return bands_; }
   /// The colour of pixels that are not proven; none: they are not marked.
   [[nodiscard]] std::optional<Rgba> Undecided() const;
 
@@ -58,11 +58,11 @@ private:
   void SetScale(vtkLookupTable& table) const;
 
   std::string Map = "viridis";
-  RangeRule TheRange;
+  RangeRule range_;
   std::vector<double> Color;
   bool Log = false;
   std::vector<double> NanColor;
-  std::optional<int> TheBands;
+  std::optional<int> bands_;
   bool ShowUndecided = false;
   std::vector<double> UndecidedColor{ 1.0, 0.0, 0.5 };
   std::optional<std::array<double, 3>> Background{ { 1.0, 1.0, 1.0 } };

@@ -47,7 +47,7 @@ Rgba ReadColor(const std::string& text, char separator)
 
 std::string TooMany(const std::string& option)
 {
-  return fmt::format("{}: more than {} values; give fewer", option, ContourOptions::kMost);
+  return fmt::format("{}: more than {} values; give fewer", option, ContourOptions::kMax);
 }
 } // namespace
 
@@ -60,7 +60,7 @@ ContourRule ReadContours(const std::string& option, const std::string& text, cha
     !number.empty() && std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
   if (digits && number.find_first_not_of('0') != std::string::npos)
   {
-    if (!ParseInteger(number, choice.count) || choice.count > ContourOptions::kMost)
+    if (!ParseInteger(number, choice.count) || choice.count > ContourOptions::kMax)
     {
       throw UsageError(TooMany(option));
     }
@@ -84,7 +84,7 @@ ContourRule ReadContours(const std::string& option, const std::string& text, cha
     }
     choice.values.push_back(value);
   }
-  if (choice.values.size() > static_cast<std::size_t>(ContourOptions::kMost))
+  if (choice.values.size() > static_cast<std::size_t>(ContourOptions::kMax))
   {
     throw UsageError(TooMany(option));
   }
@@ -93,19 +93,19 @@ ContourRule ReadContours(const std::string& option, const std::string& text, cha
 
 void ContourOptions::ReadColors(const std::string& text)
 {
-  TheColors.clear();
+  colors_.clear();
   if (text == "map")
   {
     return;
   }
   if (text.find(':') == std::string::npos)
   {
-    TheColors.push_back(ReadColor(text, ','));
+    colors_.push_back(ReadColor(text, ','));
     return;
   }
   for (const std::string& color : SplitAt(text, ','))
   {
-    TheColors.push_back(ReadColor(color, ':'));
+    colors_.push_back(ReadColor(color, ':'));
   }
 }
 
@@ -116,7 +116,7 @@ void ContourOptions::AddTo(CLI::App& added)
     [this](const std::string& text) { Choice = ReadContours(kContours, text, ','); });
   Bind(added, "--contour-width", Width);
   Bind(added, "--contour-color", [this](const std::string& text) { ReadColors(text); });
-  Bind(added, "--contours-only", TheOnly);
+  Bind(added, "--contours-only", only_);
   Bind(added, "--contour-labels", LabelHeight);
   Bind(added, "--certifier", [this](const std::string& text) { Interval = text == "interval"; });
   Bind(added, "--subdivisions", Subdivisions);
@@ -154,14 +154,14 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
   for (const LayerSettings& layer : layers)
   {
     const std::size_t values = layer.contours.value_or(*Choice).Count();
-    if (values > 0 && TheColors.size() > 1 && TheColors.size() != values)
+    if (values > 0 && colors_.size() > 1 && colors_.size() != values)
     {
       throw UsageError(
         fmt::format("--contour-color: {} colours for {} values; give one, or one for each",
-          TheColors.size(), values));
+          colors_.size(), values));
     }
   }
-  if (TheOnly)
+  if (only_)
   {
     CheckEffectsWithoutColors(*this, *Command, layers);
   }
@@ -177,7 +177,7 @@ ContourStyle ContourOptions::Style() const
   return style;
 }
 
-ContourMethod ContourOptions::HowTold() const
+ContourMethod ContourOptions::ProofMethod() const
 {
   ContourMethod method = Method;
   method.SetEffort(Effort);
@@ -195,6 +195,6 @@ std::optional<int> ContourOptions::Labels() const
 
 ContourAppearance ContourOptions::MakeAppearance(const Rgba& background) const
 {
-  return { Style(), HowTold(), Labels(), TheOnly ? std::optional(background) : std::nullopt };
+  return { Style(), ProofMethod(), Labels(), only_ ? std::optional(background) : std::nullopt };
 }
 } // namespace pixelexact

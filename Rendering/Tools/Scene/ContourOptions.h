@@ -25,7 +25,7 @@ ContourRule ReadContours(const std::string& option, const std::string& text, cha
 class ContourOptions
 {
 public:
-  static constexpr int kMost = 10000; ///< values of a layer
+  static constexpr int kMax = 10000; ///< values of a layer
 
   void AddTo(CLI::App& added);
 
@@ -39,12 +39,12 @@ public:
   [[nodiscard]] const ContourRule& OfAll() const { return *Choice; }
   [[nodiscard]] ContourStyle Style() const;
   /// How pixels are told.
-  [[nodiscard]] ContourMethod HowTold() const;
+  [[nodiscard]] ContourMethod ProofMethod() const;
   /// One for each value in the order given, or one for all; empty: by the colour map.
-  [[nodiscard]] const std::vector<Rgba>& Colors() const { return TheColors; }
-  [[nodiscard]] bool ByMap() const { return TheColors.empty(); }
+  [[nodiscard]] const std::vector<Rgba>& Colors() const { return colors_; }
+  [[nodiscard]] bool ByMap() const { return colors_.empty(); }
   /// Without the colours of the surface.
-  [[nodiscard]] bool Only() const { return TheOnly; }
+  [[nodiscard]] bool Only() const { return only_; }
   /// The height of labels in pixels; none: no labels.
   [[nodiscard]] std::optional<int> Labels() const;
   /// `background`: the colour in the place of the surface's, with Only.
@@ -60,10 +60,10 @@ private:
   bool Interval = false; ///< --certifier interval
   double Effort = 0.0;
   int Subdivisions = 0;
-  std::vector<Rgba> TheColors{ { 0, 0, 0, 255 } };
+  std::vector<Rgba> colors_{ { 0, 0, 0, 255 } };
   bool ShowUndecided = false;
   std::vector<double> UndecidedColor{ 0.0, 0.5, 0.5 };
-  bool TheOnly = false;
+  bool only_ = false;
   std::optional<double> LabelHeight;
 };
 } // namespace pixelexact

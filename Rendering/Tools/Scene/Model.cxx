@@ -5,7 +5,7 @@
 #include "Base/Report.h"
 #include "Base/VtkMessages.h"
 #include "Input/Input.h"
-#include "Scene/Knobs.h"
+#include "Scene/QualitySettings.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"

@@ -125,7 +125,7 @@ void AddLayers(const ShotOptions& options,
 }
 
 /// For those who want the same once more.
-void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
+void ReportDefaults(const ShotOptions& options, Shot& shot)
 {
   const bool shared = std::ranges::any_of(
     shot.settings, [](const LayerSettings& settings) { return !settings.field; });
@@ -268,7 +268,7 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
   shot.truncated = TruncatedFields(shot);
   if (before == nullptr)
   {
-    TellWhatWasChosen(options, shot);
+    ReportDefaults(options, shot);
   }
   shot.scene.locator = &model.GetLocator();
   shot.scene.kept = HalfSpacesOf(options.clip);

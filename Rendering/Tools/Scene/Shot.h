@@ -5,9 +5,9 @@
 #include "Input/Input.h"
 #include "Scene/CameraOptions.h"
 #include "Scene/ColorOptions.h"
-#include "Scene/Knobs.h"
 #include "Scene/LayerOptions.h"
 #include "Scene/Model.h"
+#include "Scene/QualitySettings.h"
 #include "Scene/SurfaceOptions.h"
 
 #include "Trace/Appearance/Appearance.h"

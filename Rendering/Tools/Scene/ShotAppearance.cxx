@@ -165,13 +165,13 @@ ShotAppearance::ShotAppearance(const ColorOptions& colors, const ContourOptions*
 {
   FieldRanges fields;
   ProgressLine line("bounding");
-  TheResolved = Resolve(Of, &frame, fields, shot.valuesOfAll, [&line](double part) { line(part); });
+  resolved_ = Resolve(Of, &frame, fields, shot.valuesOfAll, [&line](double part) { line(part); });
   for (std::size_t k = 0; k < Of.appearance.layers.size(); ++k)
   {
-    const ResolvedLayer& layer = TheResolved.layers[k];
-    TheRanges.push_back(Of.appearance.layers[k].solid ? std::nullopt : layer.range);
-    TheMaps.push_back(layer.map);
+    const ResolvedLayer& layer = resolved_.layers[k];
+    ranges_.push_back(Of.appearance.layers[k].solid ? std::nullopt : layer.range);
+    maps_.push_back(layer.map);
   }
-  Paints = std::make_unique<Painter>(Of, TheResolved, std::move(bounds));
+  Paints = std::make_unique<Painter>(Of, resolved_, std::move(bounds));
 }
 } // namespace pixelexact

@@ -30,19 +30,19 @@ public:
   ShotAppearance& operator=(const ShotAppearance&) = delete;
 
   [[nodiscard]] const View& GetView() const { return Of; }
-  [[nodiscard]] const ResolvedAppearance& Resolved() const { return TheResolved; }
+  [[nodiscard]] const ResolvedAppearance& Resolved() const { return resolved_; }
   [[nodiscard]] Painter& GetPainter() { return *Paints; }
   [[nodiscard]] const Painter& GetPainter() const { return *Paints; }
 
   /// By layer, of the colours of its surface; none: it is painted in one colour.
-  [[nodiscard]] const std::vector<ValueRange>& Ranges() const { return TheRanges; }
-  [[nodiscard]] const std::vector<ColorMap>& Maps() const { return TheMaps; }
+  [[nodiscard]] const std::vector<ValueRange>& Ranges() const { return ranges_; }
+  [[nodiscard]] const std::vector<ColorMap>& Maps() const { return maps_; }
 
 private:
   View Of;
-  ResolvedAppearance TheResolved;
-  std::vector<ValueRange> TheRanges;
-  std::vector<ColorMap> TheMaps;
+  ResolvedAppearance resolved_;
+  std::vector<ValueRange> ranges_;
+  std::vector<ColorMap> maps_;
   std::unique_ptr<Painter> Paints;
 };
 } // namespace pixelexact

@@ -50,20 +50,20 @@ std::string Number(double value)
 } // namespace
 
 Convergence::Convergence(std::vector<SeriesRow> rows)
-  : TheRows(std::move(rows))
+  : rows_(std::move(rows))
 {
-  const auto& orders = TheRows.front().size.orders;
+  const auto& orders = rows_.front().size.orders;
   const bool sameOrder = orders[0] == orders[1] &&
     std::ranges::all_of(
-      TheRows, [&orders](const SeriesRow& row) { return row.size.orders == orders; });
-  TheAxis = sameOrder ? SeriesAxis::Length : SeriesAxis::Modes;
+      rows_, [&orders](const SeriesRow& row) { return row.size.orders == orders; });
+  axis_ = sameOrder ? SeriesAxis::Length : SeriesAxis::Modes;
   std::ranges::stable_sort(
-    TheRows, std::greater(), [this](const SeriesRow& row) { return Step(row); });
+    rows_, std::greater(), [this](const SeriesRow& row) { return Step(row); });
 }
 
 double Convergence::Step(const SeriesRow& row) const
 {
-  return TheAxis == SeriesAxis::Length
+  return axis_ == SeriesAxis::Length
     ? row.size.length
     : std::pow(static_cast<double>(row.size.modes), -1.0 / row.size.dimensions);
 }
@@ -71,7 +71,7 @@ double Convergence::Step(const SeriesRow& row) const
 std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error) const
 {
   std::vector<Place> places;
-  for (const SeriesRow& row : TheRows)
+  for (const SeriesRow& row : rows_)
   {
     const double value = row.numbers.*error;
     const double step = Step(row);
@@ -113,11 +113,11 @@ std::optional<double> Convergence::StepOrder(std::size_t row) const
   const auto place = [this](const SeriesRow& of) {
     return Place{ Step(of), of.numbers.rootMeanSquare };
   };
-  const Place before = place(TheRows[row - 1]);
-  const Place here = place(TheRows[row]);
+  const Place before = place(rows_[row - 1]);
+  const Place here = place(rows_[row]);
   const bool known = here.step < before.step &&
-    before.error > TheRows[row - 1].numbers.largestBound &&
-    here.error > TheRows[row].numbers.largestBound;
+    before.error > rows_[row - 1].numbers.largestBound &&
+    here.error > rows_[row].numbers.largestBound;
   return known ? std::optional(Slope(before, here)) : std::nullopt;
 }
 
@@ -127,9 +127,9 @@ std::string Convergence::ToCsv() const
     "solution,elements,lowest_order,highest_order,modes,relative_length,largest,l2,"
     "mean,relative_l2,largest_bound,order_of_l2,both,only_reference,only_solution,"
     "unknown,not_finite,unbounded\n";
-  for (std::size_t k = 0; k < TheRows.size(); ++k)
+  for (std::size_t k = 0; k < rows_.size(); ++k)
   {
-    const auto& [name, size, numbers] = TheRows[k];
+    const auto& [name, size, numbers] = rows_[k];
     const auto order = StepOrder(k);
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", CsvField(name),
       size.elements, size.orders[0], size.orders[1], size.modes, size.length, numbers.largest,
@@ -146,7 +146,7 @@ std::string Convergence::ToCsv() const
 nlohmann::ordered_json Convergence::ToJson() const
 {
   nlohmann::ordered_json json{ { "over",
-    TheAxis == SeriesAxis::Length ? "relative_length" : "modes" } };
+    axis_ == SeriesAxis::Length ? "relative_length" : "modes" } };
   for (const auto& [name, error, color] : kErrors)
   {
     if (const auto order = OrderOf(error))
@@ -161,7 +161,7 @@ nlohmann::ordered_json Convergence::ToJson() const
 std::vector<std::uint8_t> Convergence::Draw(
   const std::string& reference, int width, int height) const
 {
-  const bool overLength = TheAxis == SeriesAxis::Length;
+  const bool overLength = axis_ == SeriesAxis::Length;
   LogPlot plot;
   plot.title = "Differences from " + reference + " over the pixels";
   plot.up = "difference; order of convergence in the legend";
@@ -174,7 +174,7 @@ std::vector<std::uint8_t> Convergence::Draw(
     const auto order = OrderOf(error);
     LogPlot::Series series{ order ? fmt::format("{}: {:.2f}", name, order->overall) : name, color,
       {}, true, false };
-    for (const SeriesRow& row : TheRows)
+    for (const SeriesRow& row : rows_)
     {
       const bool labelled = error == &DifferenceNumbers::largest;
       series.points.push_back({ at(row), row.numbers.*error,
@@ -184,12 +184,12 @@ std::vector<std::uint8_t> Convergence::Draw(
     plot.series.push_back(std::move(series));
   }
   // Where it is far below all errors it would squeeze them.
-  const bool near = std::ranges::any_of(TheRows,
+  const bool near = std::ranges::any_of(rows_,
     [](const SeriesRow& row) { return row.numbers.largestBound > kNearBound * row.numbers.mean; });
   if (near)
   {
     LogPlot::Series bound{ "proven bound", { 120, 120, 120, 255 }, {}, true, true };
-    for (const SeriesRow& row : TheRows)
+    for (const SeriesRow& row : rows_)
     {
       bound.points.push_back({ at(row), row.numbers.largestBound, {} });
     }

@@ -47,8 +47,8 @@ public:
   /// At least one row.
   explicit Convergence(std::vector<SeriesRow> rows);
 
-  [[nodiscard]] const std::vector<SeriesRow>& Rows() const { return TheRows; }
-  [[nodiscard]] SeriesAxis Axis() const { return TheAxis; }
+  [[nodiscard]] const std::vector<SeriesRow>& Rows() const { return rows_; }
+  [[nodiscard]] SeriesAxis Axis() const { return axis_; }
 
   /// Of solutions whose error is above the proven bound, two at least; else none. The error is one
   /// of DifferenceNumbers::rootMeanSquare, mean, largest.
@@ -68,7 +68,7 @@ private:
   /// h, or N^(-1/d).
   [[nodiscard]] double Step(const SeriesRow& row) const;
 
-  std::vector<SeriesRow> TheRows;
-  SeriesAxis TheAxis = SeriesAxis::Modes;
+  std::vector<SeriesRow> rows_;
+  SeriesAxis axis_ = SeriesAxis::Modes;
 };
 } // namespace pixelexact

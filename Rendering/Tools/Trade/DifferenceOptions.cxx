@@ -18,7 +18,7 @@ constexpr const char* kWith = "--with";
 void DifferenceOptions::AddTo(CLI::App& command)
 {
   Bind(command, "--with", Groups);
-  Bind(command, "--with-field", TheField);
+  Bind(command, "--with-field", field_);
   Bind(command, "--with-time-step",
     [this](const std::string& text)
     {
@@ -30,9 +30,9 @@ void DifferenceOptions::AddTo(CLI::App& command)
       Step = number;
     });
   Bind(command, "--with-time", Time);
-  Bind(command, "--buffers", TheBuffers);
-  TheFigure.AddTo(command);
-  TheFont.AddTo(command);
+  Bind(command, "--buffers", buffers_);
+  figure_.AddTo(command);
+  font_.AddTo(command);
 }
 
 void DifferenceOptions::Check(const CLI::App& command, const ImageSize& size) const
@@ -60,14 +60,14 @@ void DifferenceOptions::Check(const CLI::App& command, const ImageSize& size) co
       throw UsageError(name + " has no effect on a comparison without --with; leave it out");
     }
   }
-  if (Groups.size() > 1 && !TheBuffers.empty())
+  if (Groups.size() > 1 && !buffers_.empty())
   {
     throw UsageError("--buffers: there are several differences; give --with once");
   }
   if (IsAsked())
   {
-    TheFont.Check();
-    TheFigure.Check(size);
+    font_.Check();
+    figure_.Check(size);
   }
 }
 

@@ -31,20 +31,20 @@ public:
   /// of `first`.
   [[nodiscard]] std::vector<InputRequest> Requests(const InputRequest& first) const;
   /// Of the other solutions; empty: that of the first one where it is there, else the only one.
-  [[nodiscard]] const std::string& FieldName() const { return TheField; }
-  [[nodiscard]] const std::string& BufferFile() const { return TheBuffers; }
-  [[nodiscard]] const FigureOptions& Figure() const { return TheFigure; }
-  [[nodiscard]] const FontOptions& Font() const { return TheFont; }
+  [[nodiscard]] const std::string& FieldName() const { return field_; }
+  [[nodiscard]] const std::string& BufferFile() const { return buffers_; }
+  [[nodiscard]] const FigureOptions& Figure() const { return figure_; }
+  [[nodiscard]] const FontOptions& Font() const { return font_; }
   /// Also without --figure.
-  void AskForFigure() { TheFigure.Ask(); }
+  void AskForFigure() { figure_.Ask(); }
 
 private:
   std::vector<std::vector<std::string>> Groups;
-  std::string TheField;
+  std::string field_;
   std::optional<int> Step;
   std::optional<double> Time;
-  std::string TheBuffers;
-  FigureOptions TheFigure;
-  FontOptions TheFont;
+  std::string buffers_;
+  FigureOptions figure_;
+  FontOptions font_;
 };
 } // namespace pixelexact

@@ -71,7 +71,7 @@ DifferencePicture::DifferencePicture(const ShotOptions& options, const Shot& sho
 {
   const ShownAs as(shot, options, Other);
   ShotAppearance appearance(options.colors, nullptr, as.shown, difference.frame);
-  TheRange = *appearance.Ranges().front();
+  range_ = *appearance.Ranges().front();
   Repaint(appearance.GetPainter().MakePipeline(), difference.frame);
   PaintSides(difference);
 }
@@ -96,7 +96,7 @@ std::string DifferencePicture::Encode(const DifferenceOptions& difference, const
   const PictureFormat format = FormatOf("--output", file);
   if (IsVector(format))
   {
-    VectorCanvas canvas(format, size.width, size.height, kUsualDpi, colors.BackgroundColor(),
+    VectorCanvas canvas(format, size.width, size.height, kDefaultDpi, colors.BackgroundColor(),
       figure.FontOf(size), difference.Font().Choice());
     canvas.Place(colors.Flatten(Shown.frame));
     figure.Draw(canvas, size, content);
@@ -106,7 +106,7 @@ std::string DifferencePicture::Encode(const DifferenceOptions& difference, const
     difference.Font().Choice());
   canvas.Place(colors.Flatten(Shown.frame));
   figure.Draw(canvas, size, content);
-  const auto dpi = size.inches ? std::optional(kUsualDpi) : std::nullopt;
+  const auto dpi = size.inches ? std::optional(kDefaultDpi) : std::nullopt;
   return EncodeImage(canvas.Picture(), format, { dpi, texts }, file);
 }
 

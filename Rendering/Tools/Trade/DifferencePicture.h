@@ -27,7 +27,7 @@ public:
   DifferencePicture(const ShotOptions& options, const Shot& shot, const std::string& field,
     FieldDifference& difference);
 
-  [[nodiscard]] const std::array<double, 2>& Range() const { return TheRange; }
+  [[nodiscard]] const std::array<double, 2>& Range() const { return range_; }
 
   /// The file's bytes, of the format that its name says. Throws Error.
   [[nodiscard]] std::string Encode(const DifferenceOptions& difference, const ImageSize& size,
@@ -38,7 +38,7 @@ private:
   const Shot& Of;
   const FieldDifference& Shown;
   std::string Other;
-  std::array<double, 2> TheRange{};
+  std::array<double, 2> range_{};
 };
 
 /// Writes values, bounds, sides, positions and elements of the pixels. `firstCells`,

@@ -38,7 +38,7 @@ void AddFirst(Table& table, const Shot& shot)
     ComponentName(layer),
     Counted(static_cast<std::size_t>(shot.input.model->GetMesh().Elements()), "element"));
   AddTime(table, shot.input);
-  KnobFacts{ 1, shot.truncated }.AddTo(table);
+  QualityFacts{ 1, shot.truncated }.AddTo(table);
 }
 } // namespace
 

@@ -21,7 +21,7 @@ namespace pixelexact
 namespace
 {
 /// What one of the exact side's settings does to a frame.
-struct Knob
+struct ExactSetting
 {
   const char* name;
   Precision precision = Precision::Double;
@@ -34,15 +34,15 @@ struct Knob
 ContourMethod Frugal()
 {
   ContourMethod method;
-  method.halvings = 2;
+  method.subdivisions = 2;
   method.crossings = 3;
   method.parts = 4;
   return method;
 }
 
-const std::vector<Knob>& Knobs()
+const std::vector<ExactSetting>& ExactSettings()
 {
-  static const std::vector<Knob> all{ { "exact" }, { "exact-float", Precision::Float },
+  static const std::vector<ExactSetting> all{ { "exact" }, { "exact-float", Precision::Float },
     { "exact-stride-2", Precision::Double, 2 }, { "exact-stride-4", Precision::Double, 4 },
     { "exact-stride-8", Precision::Double, 8 }, { "exact-samples-4", Precision::Double, 1, 4 },
     { "exact-contours-frugal", Precision::Double, 1, 1, Frugal(), true },
@@ -54,20 +54,20 @@ const std::vector<Knob>& Knobs()
 class ExactRun final : public TradeRun
 {
 public:
-  ExactRun(const TradeScene& scene, const Knob& knob, std::optional<int> order)
-    : TheScene(scene)
-    , TheKnob(knob)
+  ExactRun(const TradeScene& scene, const ExactSetting& exact, std::optional<int> order)
+    : scene_(scene)
+    , setting_(exact)
     , Order(order)
   {
   }
 
   TradeTime Measure() override
   {
-    const FreshModel fresh(*TheScene.shot);
+    const FreshModel fresh(*scene_.shot);
     View view = ViewOf(fresh);
     Layer& layer = view.scene.layers.front();
     // Later frames of the same data know the elements' bounds.
-    Paints = std::make_unique<Painter>(view, TheScene.resolved, std::make_shared<ContourBounds>());
+    Paints = std::make_unique<Painter>(view, scene_.resolved, std::make_shared<ContourBounds>());
     TradeTime time;
     const PeakMemory memory;
     const Timer first;
@@ -79,11 +79,11 @@ public:
       layer.field = &kept;
     }
     view.scene.locator = &fresh.model->GetLocator();
-    layer.surface = TheScene.surface(fresh.model);
-    TheFrame = MakeFrame(view);
+    layer.surface = scene_.surface(fresh.model);
+    frame_ = MakeFrame(view);
     time.first = first.Seconds();
     const Timer next;
-    TheFrame = MakeFrame(view);
+    frame_ = MakeFrame(view);
     time.next = next.Seconds();
     time.bytes = memory.Bytes().value_or(-1.0);
     return time;
@@ -95,39 +95,39 @@ public:
     {
       return std::nullopt;
     }
-    const Layer& layer = TheScene.shot->scene.layers.front();
+    const Layer& layer = scene_.shot->scene.layers.front();
     return LargestChange(
-      TheScene.shot->input.model->GetMesh(), Truncation(*layer.field, *Order), layer.component);
+      scene_.shot->input.model->GetMesh(), Truncation(*layer.field, *Order), layer.component);
   }
 
   Picture Show() override
   {
     const ContourCertifier* contours = Paints->Contours();
     return PictureOf(
-      TheFrame, contours != nullptr ? contours->Verdicts() : std::vector<std::uint8_t>());
+      frame_, contours != nullptr ? contours->Verdicts() : std::vector<std::uint8_t>());
   }
 
 private:
-  /// The compared view of the fresh model with the knob's settings, and nothing but colours and the
+  /// The compared view of the fresh model with the given settings, and nothing but colours and the
   /// verdicts of contours.
   [[nodiscard]] View ViewOf(const FreshModel& fresh) const
   {
-    View view = TheScene.view;
+    View view = scene_.view;
     Layer& layer = view.scene.layers.front();
     layer.field = fresh.model->FindField(layer.field->name);
-    layer.precision = TheKnob.precision;
+    layer.precision = setting_.precision;
     Appearance& appearance = view.appearance;
     appearance.layers.front().material.reset();
     appearance.edges.reset();
     appearance.outlines.reset();
-    appearance.samples = TheKnob.samples;
+    appearance.samples = setting_.samples;
     appearance.contours = {};
-    appearance.contours.method = TheKnob.contours.value_or(ContourMethod());
-    if (TheKnob.stride > 1)
+    appearance.contours.method = setting_.contours.value_or(ContourMethod());
+    if (setting_.stride > 1)
     {
       appearance.layers.front().contours = {};
     }
-    view.stride = TheKnob.stride;
+    view.stride = setting_.stride;
     return view;
   }
 
@@ -145,22 +145,22 @@ private:
     return frame;
   }
 
-  const TradeScene& TheScene;
-  const Knob& TheKnob;
+  const TradeScene& scene_;
+  const ExactSetting& setting_;
   std::optional<int> Order;
   std::unique_ptr<Painter> Paints;
-  Frame TheFrame;
+  Frame frame_;
 };
 } // namespace
 
 std::vector<TradeSetting> ExactSettings(bool contours, const std::vector<int>& orders)
 {
   std::vector<TradeSetting> settings;
-  for (std::size_t k = 0; k < Knobs().size(); ++k)
+  for (std::size_t k = 0; k < ExactSettings().size(); ++k)
   {
-    if (contours || !Knobs()[k].ofContours)
+    if (contours || !ExactSettings()[k].ofContours)
     {
-      settings.push_back({ Knobs()[k].name, TradeFamily::Exact, static_cast<int>(k), 0.0 });
+      settings.push_back({ ExactSettings()[k].name, TradeFamily::Exact, static_cast<int>(k), 0.0 });
     }
   }
   for (const int order : orders)
@@ -177,13 +177,13 @@ bool HasOwnValues(const TradeSetting& setting)
   {
     return true;
   }
-  const Knob& knob = Knobs()[static_cast<std::size_t>(setting.number)];
-  return !knob.ofContours && knob.samples == 1;
+  const ExactSetting& exact = ExactSettings()[static_cast<std::size_t>(setting.number)];
+  return !exact.ofContours && exact.samples == 1;
 }
 
 std::unique_ptr<TradeRun> MakeExactRun(const TradeScene& scene, const TradeSetting& setting)
 {
   return std::make_unique<ExactRun>(
-    scene, Knobs()[static_cast<std::size_t>(setting.number)], setting.order);
+    scene, ExactSettings()[static_cast<std::size_t>(setting.number)], setting.order);
 }
 } // namespace pixelexact

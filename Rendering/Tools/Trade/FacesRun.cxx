@@ -25,14 +25,14 @@ public:
 
   TradeTime Measure() override
   {
-    const FreshModel fresh(*TheScene.shot);
+    const FreshModel fresh(*scene_.shot);
     const Mesh& mesh = fresh.model->GetMesh();
-    const Layer& layer = TheScene.shot->scene.layers.front();
+    const Layer& layer = scene_.shot->scene.layers.front();
     const Field& field = *fresh.model->FindField(layer.field->name);
     TradeTime time;
     const PeakMemory memory;
     const Timer first;
-    const auto surface = TheScene.surface(fresh.model);
+    const auto surface = scene_.surface(fresh.model);
     const auto& faces = dynamic_cast<const ElementFaces&>(*surface).Faces();
     const std::size_t triangles = CountTriangles(mesh, faces, Parts);
     RequireMemory(

@@ -234,19 +234,19 @@ class LinearRun final : public TradeRun
 {
 public:
   LinearRun(const TradeScene& scene, const TradeSetting& setting)
-    : TheScene(scene)
+    : scene_(scene)
     , Setting(setting)
   {
   }
 
   TradeTime Measure() override
   {
-    const FreshModel fresh(*TheScene.shot);
+    const FreshModel fresh(*scene_.shot);
     const VtkMessages messages;
     TradeTime time;
     const PeakMemory memory;
     const Timer first;
-    const Pipes pipes = MakePipes(TheScene, Setting, fresh.grid);
+    const Pipes pipes = MakePipes(scene_, Setting, fresh.grid);
     Run(pipes);
     time.first = first.Seconds();
     if (messages.FirstError().empty())
@@ -268,10 +268,10 @@ public:
 
   Picture Show() override
   {
-    const Layer& layer = TheScene.shot->scene.layers.front();
+    const Layer& layer = scene_.shot->scene.layers.front();
     const auto linear = ToLinearSurface(Surface, layer.field->name, layer.component);
     Count = linear->Count();
-    return TracePicture(*linear, TheScene.shot->MakeCamera(), TheScene.isoValues);
+    return TracePicture(*linear, scene_.shot->MakeCamera(), scene_.isoValues);
   }
 
   [[nodiscard]] std::size_t Triangles() const override { return Count; }
@@ -280,7 +280,7 @@ private:
   void Run(const Pipes& pipes)
   {
     pipes.cut->Update();
-    if (!TheScene.isoValues.empty())
+    if (!scene_.isoValues.empty())
     {
       MakeContours(vtkPolyData::SafeDownCast(pipes.cut->GetOutputDataObject(0)));
     }
@@ -289,13 +289,13 @@ private:
   void MakeContours(vtkPolyData* surface)
   {
     if (const auto contours =
-          MakeLinearContours(surface, TheScene.shot->scene.layers.front(), TheScene.isoValues))
+          MakeLinearContours(surface, scene_.shot->scene.layers.front(), scene_.isoValues))
     {
       contours->Update();
     }
   }
 
-  const TradeScene& TheScene;
+  const TradeScene& scene_;
   TradeSetting Setting;
   vtkSmartPointer<vtkPolyData> Surface;
   std::size_t Count = 0;

@@ -140,11 +140,11 @@ public:
 
   TradeTime Measure() override
   {
-    const FreshModel fresh(*TheScene.shot);
-    const Layer& layer = TheScene.shot->scene.layers.front();
+    const FreshModel fresh(*scene_.shot);
+    const Layer& layer = scene_.shot->scene.layers.front();
     const auto* given = dynamic_cast<const pixelexact::Triangles*>(layer.surface.get());
     const double pieces = given != nullptr ? static_cast<double>(given->Corners().size())
-                                           : 2.0 * static_cast<double>(TheScene.patches.size());
+                                           : 2.0 * static_cast<double>(scene_.patches.size());
     const double count = pieces * Parts * Parts;
     RequireMemory(
       kBytes * count, Counted(static_cast<std::size_t>(count), "triangle"), "lower the level");
@@ -154,7 +154,7 @@ public:
     {
       const Timer timer;
       Lattice lattice;
-      for (const BezierPatch& patch : TheScene.patches)
+      for (const BezierPatch& patch : scene_.patches)
       {
         lattice.Add(patch, Parts);
       }

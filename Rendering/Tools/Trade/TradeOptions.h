@@ -24,30 +24,30 @@ public:
   /// planes, for which a volume is sampled.
   [[nodiscard]] std::vector<int> Resolutions(bool ofPlane) const;
   /// Nodes along the longest side.
-  [[nodiscard]] const std::vector<int>& Grids() const { return TheGrids; }
-  [[nodiscard]] const std::vector<int>& Levels() const { return TheLevels; }
+  [[nodiscard]] const std::vector<int>& Grids() const { return grids_; }
+  [[nodiscard]] const std::vector<int>& Levels() const { return levels_; }
   /// That fields are truncated to, ascending. Where none were given, some below the field's.
   [[nodiscard]] std::vector<int> Orders(int ofField) const;
-  [[nodiscard]] int Repeat() const { return TheRepeat; }
-  [[nodiscard]] int Bins() const { return TheBins; }
+  [[nodiscard]] int Repeat() const { return repeat_; }
+  [[nodiscard]] int Bins() const { return bins_; }
   /// Of the shown pixels, 0 to 1.
   [[nodiscard]] double Share() const { return Percent / 100.0; }
   [[nodiscard]] bool OfNext() const { return Next; }
-  [[nodiscard]] const std::string& Output() const { return TheOutput; }
+  [[nodiscard]] const std::string& Output() const { return output_; }
   /// None: nothing is asked.
   [[nodiscard]] std::optional<TradeTarget> Target() const;
 
 private:
-  std::optional<std::vector<int>> TheResolutions;
-  std::vector<int> TheGrids{ 16, 32, 64, 128 };
-  std::optional<std::vector<int>> TheOrders;
-  std::vector<int> TheLevels{ 0, 1, 2, 3 };
-  int TheRepeat = 0;
-  int TheBins = 0;
+  std::optional<std::vector<int>> resolutions_;
+  std::vector<int> grids_{ 16, 32, 64, 128 };
+  std::optional<std::vector<int>> orders_;
+  std::vector<int> levels_{ 0, 1, 2, 3 };
+  int repeat_ = 0;
+  int bins_ = 0;
   double Percent = 0.0;
   bool Next = false;
   std::optional<double> TargetError;
   std::optional<double> TargetTime;
-  std::string TheOutput;
+  std::string output_;
 };
 } // namespace pixelexact

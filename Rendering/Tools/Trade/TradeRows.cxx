@@ -16,7 +16,7 @@ namespace pixelexact
 namespace
 {
 /// Over the range, of errors that tell an order.
-constexpr double kLeastError = 1e-6;
+constexpr double kMinError = 1e-6;
 
 /// The slope of the logarithms, by least squares.
 double SlopeOf(const std::vector<std::array<double, 2>>& points)
@@ -141,7 +141,7 @@ std::vector<TradeOrder> OrdersOf(
     for (const TradeRow& row : rows)
     {
       if (row.setting.family == family && row.IsThere() &&
-        Relative(row.errors.mean, range) > kLeastError)
+        Relative(row.errors.mean, range) > kMinError)
       {
         points.push_back({ row.setting.spacing, row.errors.mean });
       }

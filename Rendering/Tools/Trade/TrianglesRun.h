@@ -17,19 +17,19 @@ class TrianglesRun : public TradeRun
 {
 public:
   explicit TrianglesRun(const TradeScene& scene)
-    : TheScene(scene)
+    : scene_(scene)
   {
   }
 
   Picture Show() override
   {
-    return TracePicture(*Linear, TheScene.shot->MakeCamera(), TheScene.isoValues);
+    return TracePicture(*Linear, scene_.shot->MakeCamera(), scene_.isoValues);
   }
 
   [[nodiscard]] std::size_t Triangles() const override { return Linear ? Linear->Count() : 0; }
 
 protected:
-  const TradeScene& TheScene;
+  const TradeScene& scene_;
   std::optional<LinearSurface> Linear; ///< of the last Measure
 };
 } // namespace pixelexact

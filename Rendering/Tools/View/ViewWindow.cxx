@@ -87,7 +87,7 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   {
     throw UsageError("view shows one picture; leave out --sweep, --turn and --time-step all");
   }
-  if (Options.knobs.Stride() > 1)
+  if (Options.quality.Stride() > 1)
   {
     throw UsageError("view draws coarse pictures while it is moved, and then all pixels; leave out "
                      "--stride");
@@ -97,14 +97,14 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   {
     Note("--owners and --show are drawn in saved figures (key s), not in the window");
   }
-  TheShot.emplace(Prepare(Options.shot, Watch));
-  Dragged = MakeDragged(*TheShot->scene.layers.front().surface, Options.shot.surfaces.First());
+  shot_.emplace(Prepare(Options.shot, Watch));
+  Dragged = MakeDragged(*shot_->scene.layers.front().surface, Options.shot.surfaces.First());
   Contours = Options.contours.AreGiven();
-  Edges = TheShot->appearance.edges.has_value();
+  Edges = shot_->appearance.edges.has_value();
 
   const Rgba background = Options.shot.colors.BackgroundColor();
   Renderer->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
-  Window->SetSize(TheShot->size.width, TheShot->size.height);
+  Window->SetSize(shot_->size.width, shot_->size.height);
   Window->SetMultiSamples(0);
   Window->AddRenderer(Renderer);
   Window->SetWindowName("PixelExact");
@@ -116,10 +116,10 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   Shown.Mapper().SetStillSeconds(kSeconds);
   Interactor->SetDesiredUpdateRate(1.0 / kSeconds);
   Renderer->AddActor(&Shown.Actor());
-  Shown.FindRanges(*TheShot);
+  Shown.FindRanges(*shot_);
   ShowShot();
-  ApplyView(TheShot->view, Renderer->GetActiveCamera());
-  Renderer->ResetCameraClippingRange(TheShot->input.grid->GetBounds());
+  ApplyView(shot_->view, Renderer->GetActiveCamera());
+  Renderer->ResetCameraClippingRange(shot_->input.grid->GetBounds());
 }
 
 ViewWindow::~ViewWindow() = default;
@@ -130,47 +130,47 @@ void ViewWindow::MakeWidgets()
   {
     vtkAbstractWidget& widget = Dragged->Widget();
     widget.SetInteractor(Interactor);
-    Dragged->Place(TheShot->input.grid->GetBounds());
+    Dragged->Place(shot_->input.grid->GetBounds());
     Observe(&widget, vtkCommand::StartInteractionEvent, [this] { Dragging = true; });
     Observe(&widget, vtkCommand::EndInteractionEvent,
       [this]
       {
         Dragging = false;
-        TellWhatIsAt(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
+        ReportPixel(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
       });
     Observe(&widget, vtkCommand::InteractionEvent, [this] { MoveSurface(); });
     widget.On();
   }
-  if (const auto steps = static_cast<int>(TheShot->input.times.size()); steps > 1)
+  if (const auto steps = static_cast<int>(shot_->input.times.size()); steps > 1)
   {
     Slider.AddTo(Interactor, steps, [this](int step) { GoToStep(step); });
-    Slider.Set(TheShot->input.step);
+    Slider.Set(shot_->input.step);
   }
 }
 
 void ViewWindow::ShowShot()
 {
-  Shown.Show(*TheShot, Contours, Edges);
+  Shown.Show(*shot_, Contours, Edges);
 }
 
 void ViewWindow::MoveSurface()
 {
   try
   {
-    TheShot->scene.layers.front().surface = Dragged->Now();
+    shot_->scene.layers.front().surface = Dragged->Now();
   }
   catch (const Error& error)
   {
     Texts.Tell(error.what());
     return;
   }
-  Shown.MoveFirst(TheShot->scene.layers.front().surface);
+  Shown.MoveFirst(shot_->scene.layers.front().surface);
   Window->Render();
 }
 
 void ViewWindow::GoToStep(int step)
 {
-  const auto steps = static_cast<int>(TheShot->input.times.size());
+  const auto steps = static_cast<int>(shot_->input.times.size());
   if (steps == 0)
   {
     Texts.Tell("the input has no time steps");
@@ -178,19 +178,19 @@ void ViewWindow::GoToStep(int step)
     return;
   }
   step = std::clamp(step, 0, steps - 1);
-  if (step != TheShot->input.step)
+  if (step != shot_->input.step)
   {
-    const Shot before = std::move(*TheShot);
-    TheShot.emplace(PrepareStep(Options.shot, step, before, Watch));
+    const Shot before = std::move(*shot_);
+    shot_.emplace(PrepareStep(Options.shot, step, before, Watch));
     if (Dragged)
     {
-      TheShot->scene.layers.front().surface = before.scene.layers.front().surface;
+      shot_->scene.layers.front().surface = before.scene.layers.front().surface;
     }
     ShowShot();
   }
   Slider.Set(step);
   Texts.Tell(fmt::format(
-    "step {}, t = {}", step, Short(TheShot->input.times[static_cast<std::size_t>(step)])));
+    "step {}, t = {}", step, Short(shot_->input.times[static_cast<std::size_t>(step)])));
   Window->Render();
 }
 
@@ -206,9 +206,9 @@ ShownNow ViewWindow::Now() const
   {
     now.range = Shown.Ranges().front();
   }
-  if (!TheShot->input.times.empty())
+  if (!shot_->input.times.empty())
   {
-    now.step = TheShot->input.step;
+    now.step = shot_->input.step;
   }
   now.contours = Contours;
   now.edges = Edges;
@@ -224,7 +224,7 @@ void ViewWindow::Save()
     now.output = NameOfFile(Options, ++Saved);
   }
   RepeatedCommand command{
-    WordsOf(now, Words, TheShot->chosen, std::to_string(ViewScene::kDefaultContours)), {}
+    WordsOf(now, Words, shot_->chosen, std::to_string(ViewScene::kDefaultContours)), {}
   };
   Texts.Tell("saving '" + now.output + "' ...");
   Window->Render();
@@ -235,7 +235,7 @@ void ViewWindow::Save()
   Window->Render();
 }
 
-void ViewWindow::TellWhatIsAt(int x, int y)
+void ViewWindow::ReportPixel(int x, int y)
 {
   std::string text;
   if (Picker->Pick(x, y, 0.0, Renderer) != 0 && Picker->GetVerdict() > 0)
@@ -285,14 +285,14 @@ bool ViewWindow::Press(const std::string& key)
   }
   else if (key == "r")
   {
-    TheShot->view = Now().view;
-    Shown.FindRanges(*TheShot);
+    shot_->view = Now().view;
+    Shown.FindRanges(*shot_);
     ShowShot();
-    Texts.SetTable(Shown.FirstTable(*TheShot));
+    Texts.SetTable(Shown.FirstTable(*shot_));
   }
   else if (key == "Left" || key == "Right")
   {
-    GoToStep(TheShot->input.step + (key == "Left" ? -1 : 1));
+    GoToStep(shot_->input.step + (key == "Left" ? -1 : 1));
   }
   else if (key == "s")
   {
@@ -308,9 +308,8 @@ bool ViewWindow::Press(const std::string& key)
 
 void ViewWindow::Show()
 {
-  const Layer& first = TheShot->scene.layers.front();
-  Texts.AddTo(
-    *Renderer, Shown.FirstTable(*TheShot), first.field != nullptr ? first.field->name : "");
+  const Layer& first = shot_->scene.layers.front();
+  Texts.AddTo(*Renderer, Shown.FirstTable(*shot_), first.field != nullptr ? first.field->name : "");
   Interactor->Initialize();
   MakeWidgets();
   Observe(Interactor, vtkCommand::MouseMoveEvent,
@@ -320,7 +319,7 @@ void ViewWindow::Show()
       auto* style = vtkInteractorStyle::SafeDownCast(Interactor->GetInteractorStyle());
       if (style->GetState() == VTKIS_NONE && !Dragging)
       {
-        TellWhatIsAt(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
+        ReportPixel(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
       }
     });
   Window->Render();

@@ -44,7 +44,7 @@ private:
   void MakeWidgets();
   void GoToStep(int step);
   void Save();
-  void TellWhatIsAt(int x, int y);
+  void ReportPixel(int x, int y);
   /// Draws the shot, with contours and edges where they are on.
   void ShowShot();
   /// Takes the widget's place for the first surface.
@@ -54,7 +54,7 @@ private:
   RenderOptions Options;
   std::vector<std::string> Words;
   Stopwatch Watch;
-  std::optional<Shot> TheShot;
+  std::optional<Shot> shot_;
   ViewScene Shown;
   bool Contours = false;
   bool Edges = false;

@@ -112,11 +112,11 @@ void Painter::MakeContours(
     const bool any = appearance.layers[k].contours.Any();
     style.curved = style.curved || (any && !scene.layers[k].surface->IsFlat());
   }
-  TheLabels = HasLabels(view) ? appearance.contours.labels : std::nullopt;
+  labels_ = HasLabels(view) ? appearance.contours.labels : std::nullopt;
   style.onSheet = appearance.bySheets && HasTranslucent(scene);
-  style.keepBeneath = TheLabels.has_value();
+  style.keepBeneath = labels_.has_value();
   Certifier.emplace(std::move(values), appearance.contours.method, std::move(bounds));
-  TheLines.emplace(*Certifier, style, std::move(colors));
+  lines_.emplace(*Certifier, style, std::move(colors));
 }
 
 Pipeline Painter::MakePipeline(const Drawn& drawn)
@@ -148,9 +148,9 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   {
     pipeline.modules.push_back(&*Certifier);
   }
-  if (TheLines && drawn.contours)
+  if (lines_ && drawn.contours)
   {
-    pipeline.modules.push_back(&*TheLines);
+    pipeline.modules.push_back(&*lines_);
   }
   return pipeline;
 }

@@ -49,9 +49,9 @@ public:
   {
     return Certifier ? &*Certifier : nullptr;
   }
-  [[nodiscard]] const ContourLines* Lines() const { return TheLines ? &*TheLines : nullptr; }
+  [[nodiscard]] const ContourLines* Lines() const { return lines_ ? &*lines_ : nullptr; }
   /// The height of labels that are to be written on the frame; none: no labels.
-  [[nodiscard]] const std::optional<int>& Labels() const { return TheLabels; }
+  [[nodiscard]] const std::optional<int>& Labels() const { return labels_; }
   /// The module that paints pixels whose colour is not proven; null where there is none.
   [[nodiscard]] const UndecidedColors* Undecided() const { return Unproven.get(); }
   /// Pixels of the last frame that were smoothed.
@@ -69,8 +69,8 @@ private:
   std::optional<ElementEdges> Edges;
   std::optional<ElementOutlines> Outlines;
   std::optional<ContourCertifier> Certifier;
-  std::optional<ContourLines> TheLines;
-  std::optional<int> TheLabels;
+  std::optional<ContourLines> lines_;
+  std::optional<int> labels_;
 };
 
 /// The buffers of centres that Resolve, a Painter and labels read. `afterwards`: the frame is

@@ -285,7 +285,7 @@ ValueRange ValuesSeen(const Frame& frame, std::size_t layer)
 {
   std::vector<bool> layers(layer + 1, false);
   layers.back() = true;
-  layers.resize(Scene::kMostLayers + 1, false);
+  layers.resize(Scene::kMaxLayers + 1, false);
   return ValuesSeen(frame, kAnyValue, layers);
 }
 

@@ -283,7 +283,7 @@ std::optional<double> ContourTile::HeldBy(const Surface& surface, const Contoure
   return surface.HeldValue(*shown.field, shown.component);
 }
 
-void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
+void ContourTile::Classify(const ContouredLayer& layer, EdgeWork& work)
 {
   LayerSight sight(Tile, layer.number);
   const Surface& surface = sight.GetSurface();
@@ -303,17 +303,17 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
   }
   if (!surface.IsPlane())
   {
-    EdgeJudge judge(*layer.bounds, layer.values, &work);
+    EdgeClassifier classifier(*layer.bounds, layer.values, &work);
     if (const std::optional<double> held = HeldBy(surface, layer))
     {
-      if (!judge.Meets(*held, *held))
+      if (!classifier.Meets(*held, *held))
       {
         Counted.byBlocks += std::ranges::count(Asked, 1);
         return;
       }
-      judge.HoldEverywhere();
+      classifier.HoldEverywhere();
     }
-    JudgeEdges(sight, judge, Asked, work);
+    ClassifyEdges(sight, classifier, Asked, work);
     return;
   }
   FlatBlocks blocks(sight, Tile, Centres());
@@ -324,34 +324,34 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
   }
   const std::optional<Outline> whole = blocks.Whole();
   work.SetWidth(whole ? WidthOf(*whole) : 0.0);
-  EdgeJudge judge(
+  EdgeClassifier classifier(
     *layer.bounds, layer.values, &work, ElementsNear(Tile.GetScene().locator->Index(), whole));
-  judge.LieOn(*sight.AsPlane());
-  if (!judge.IsNeeded())
+  classifier.LieOn(*sight.AsPlane());
+  if (!classifier.IsNeeded())
   {
     Counted.byBlocks += std::ranges::count(Asked, 1);
     return;
   }
-  judge.Reserve(kLeftByBlocks);
-  std::vector<ContourVerdict> states = blocks.Settle(judge, Asked);
+  classifier.Reserve(kLeftByBlocks);
+  std::vector<ContourVerdict> states = blocks.Settle(classifier, Asked);
   std::vector<std::uint8_t> open(states.size());
   std::ranges::transform(states, open.begin(),
     [](ContourVerdict state)
     { return static_cast<std::uint8_t>(state == ContourVerdict::Undecided); });
   std::ranges::replace(states, ContourVerdict::Undecided, ContourVerdict::Out);
   Add(states);
-  JudgeEdges(sight, judge, open, work);
+  ClassifyEdges(sight, classifier, open, work);
 }
 
-void ContourTile::JudgeEdges(
-  LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open, EdgeWork& work)
+void ContourTile::ClassifyEdges(LayerSight& sight, const EdgeClassifier& classifier,
+  std::span<const std::uint8_t> open, EdgeWork& work)
 {
   Counted.byBlocks += std::ranges::count(Asked, 1) - std::ranges::count(open, 1);
   if (std::ranges::find(open, 1) == open.end())
   {
     return;
   }
-  judge.Reserve(kLeftByEdges);
+  classifier.Reserve(kLeftByEdges);
   const TileCorners corners = EndsOf(sight, open);
   if (!Again && !sight.GetSurface().IsPlane())
   {
@@ -371,27 +371,27 @@ void ContourTile::JudgeEdges(
         shown[at + along + beside] | shown[at + along - beside]) != 0;
   };
   std::vector<ContourVerdict> edges(CountEdges(), ContourVerdict::Out);
-  EdgeSettler settler(sight, judge, Method, edges, Counted);
+  EdgeRefiner refiner(sight, classifier, Method, edges, Counted);
   ForEachEdge(
     open,
     [&](std::size_t edge, std::size_t a, std::size_t b)
-    { settler.Add(edge, corners[a], corners[b], peeks(a, b)); },
-    [&] { settler.EndRow(); });
-  std::vector<ContourVerdict> unhalved = edges;
-  settler.MarkOpen(unhalved);
-  judge.Reserve(0.0);
-  settler.Refine();
+    { refiner.Add(edge, corners[a], corners[b], peeks(a, b)); },
+    [&] { refiner.EndRow(); });
+  std::vector<ContourVerdict> unsplit = edges;
+  refiner.MarkOpen(unsplit);
+  classifier.Reserve(0.0);
+  refiner.Refine();
   std::vector<ContourVerdict> states = StatesOf(edges, open);
-  CountStages(StatesOf(unhalved, open), states, open);
-  MarkPlateaus(sight, judge, corners, states);
+  CountStages(StatesOf(unsplit, open), states, open);
+  MarkPlateaus(sight, classifier, corners, states);
   if (Method.interior)
   {
-    JudgeInteriors(sight, judge, corners, open, states);
+    ClassifyInteriors(sight, classifier, corners, open, states);
   }
   Add(states);
 }
 
-void ContourTile::CountStages(std::span<const ContourVerdict> unhalved,
+void ContourTile::CountStages(std::span<const ContourVerdict> unsplit,
   std::span<const ContourVerdict> states, std::span<const std::uint8_t> open)
 {
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
@@ -400,11 +400,11 @@ void ContourTile::CountStages(std::span<const ContourVerdict> unhalved,
     {
       continue;
     }
-    ++(unhalved[pixel] == ContourVerdict::Undecided ? Counted.byParts : Counted.byEdges);
+    ++(unsplit[pixel] == ContourVerdict::Undecided ? Counted.byParts : Counted.byEdges);
   }
 }
 
-void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge,
+void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeClassifier& classifier,
   const TileCorners& corners, std::span<const ContourVerdict> states)
 {
   const std::size_t columns = Across - 1;
@@ -417,15 +417,16 @@ void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge,
     const std::size_t lower = pixel / columns * Across + pixel % columns;
     const std::array around{ lower, lower + 1, lower + Across, lower + Across + 1 };
     OnPlateau[pixel] |= static_cast<std::uint8_t>(std::ranges::all_of(around,
-      [&](std::size_t at) { return sight.Shows(corners[at]) && judge.IsOnPlateau(corners[at]); }));
+      [&](std::size_t at)
+      { return sight.Shows(corners[at]) && classifier.IsOnPlateau(corners[at]); }));
   }
 }
 
-void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
+void ContourTile::ClassifyInteriors(LayerSight& sight, const EdgeClassifier& classifier,
   const TileCorners& corners, std::span<const std::uint8_t> open, std::span<ContourVerdict> states)
 {
   const std::vector<ContourVerdict> before(states.begin(), states.end());
-  PixelInteriors interiors(sight, judge, Method, states, Counted);
+  PixelInteriors interiors(sight, classifier, Method, states, Counted);
   const std::size_t columns = Across - 1;
   for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Contours/EdgeSettler.h"
+#include "Trace/Contours/EdgeRefiner.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/TileVisit.h"
 
@@ -53,11 +53,12 @@ public:
   ContourTile(TileVisit& tile, const ContourMethod& method, std::vector<ContourVerdict> before);
 
   /// Adds the findings of a layer's values to those of the tile's pixels.
-  void Judge(const ContouredLayer& layer, EdgeWork& work);
+  void Classify(const ContouredLayer& layer, EdgeWork& work);
   /// A ContourVerdict for each pixel of the tile, row by row.
   [[nodiscard]] std::span<const ContourVerdict> Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  /// 1: of a judged pixel whose corners all lie on a plateau of one layer (EdgeJudge::IsOnPlateau).
+  /// 1: of a judged pixel whose corners all lie on a plateau of one layer
+  /// (EdgeClassifier::IsOnPlateau).
   [[nodiscard]] std::span<const std::uint8_t> Plateaus() const { return OnPlateau; }
 
 private:
@@ -70,7 +71,7 @@ private:
   [[nodiscard]] std::vector<std::uint8_t> ShownAround(
     const LayerSight& sight, const TileCorners& corners);
   /// visit(edge, a, b) of corners, for the edges of open pixels, in the order of `edges` in
-  /// JudgeEdges; endRow() where rows and columns of them end.
+  /// ClassifyEdges; endRow() where rows and columns of them end.
   template <class Visit, class EndRow>
   void ForEachEdge(
     std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const;
@@ -79,19 +80,20 @@ private:
   /// The value of the layer's field on all of its surface, where there is one.
   [[nodiscard]] std::optional<double> HeldBy(
     const Surface& surface, const ContouredLayer& layer) const;
-  void JudgeEdges(
-    LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open, EdgeWork& work);
+  void ClassifyEdges(LayerSight& sight, const EdgeClassifier& classifier,
+    std::span<const std::uint8_t> open, EdgeWork& work);
   /// Of pixels by those of their edges: across, row by row, then up, column by column.
   [[nodiscard]] std::vector<ContourVerdict> StatesOf(
     std::span<const ContourVerdict> edges, std::span<const std::uint8_t> open) const;
   /// By what those that were open are settled.
-  void CountStages(std::span<const ContourVerdict> unhalved, std::span<const ContourVerdict> states,
+  void CountStages(std::span<const ContourVerdict> unsplit, std::span<const ContourVerdict> states,
     std::span<const std::uint8_t> open);
   /// Looks inside of those that are out.
-  void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
-    std::span<const std::uint8_t> open, std::span<ContourVerdict> states);
-  void MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
-    std::span<const ContourVerdict> states);
+  void ClassifyInteriors(LayerSight& sight, const EdgeClassifier& classifier,
+    const TileCorners& corners, std::span<const std::uint8_t> open,
+    std::span<ContourVerdict> states);
+  void MarkPlateaus(const LayerSight& sight, const EdgeClassifier& classifier,
+    const TileCorners& corners, std::span<const ContourVerdict> states);
   void Add(std::span<const ContourVerdict> states);
   [[nodiscard]] std::size_t CountEdges() const { return (Across - 1) * Up + Across * (Up - 1); }
 

@@ -2,7 +2,7 @@
 #include "Trace/Contours/EdgeBeam.h"
 
 #include "Core/Math/Rounding.h"
-#include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Contours/EdgeClassifier.h"
 #include "Trace/Surfaces/Surface.h"
 
 #include <glm/geometric.hpp>
@@ -22,7 +22,7 @@ namespace
 /// what it costs beside halving nodes, in nanoseconds.
 constexpr int kBeamParts = 512;
 constexpr int kLongParts = 3;
-constexpr int kBeamHalvings = 20;
+constexpr int kBeamSubdivisions = 20;
 constexpr std::int64_t kBeamCost = 200000;
 /// Elements beyond which parts are halved at once, unless they have been halved so often: nobody
 /// sees most of these.
@@ -66,22 +66,22 @@ Outline EdgeBeam::Part(double from, double to) const
     B.origin + to * B.direction, A.origin + to * A.direction });
 }
 
-bool EdgeJudge::StaysBetween(const Surface& surface, const EdgeBeam& beam) const
+bool EdgeClassifier::StaysBetween(const Surface& surface, const EdgeBeam& beam) const
 {
   struct Stretch
   {
     double from;
     double to;
-    int halvings;
+    int subdivisions;
   };
   if (!Affords(kBeamCost))
   {
     return false;
   }
-  const auto staysOn = [&](const WideOutline& region, int halvings)
+  const auto staysOn = [&](const WideOutline& region, int subdivisions)
   {
     const std::span<const Element> elements = ElementsAt(region);
-    return (halvings >= kShortParts || std::ssize(elements) <= kBeamElements) &&
+    return (subdivisions >= kShortParts || std::ssize(elements) <= kBeamElements) &&
       StaysOn(kNoSide, elements, region, With(kEffort));
   };
   // Nearest first.
@@ -91,18 +91,18 @@ bool EdgeJudge::StaysBetween(const Surface& surface, const EdgeBeam& beam) const
     const Stretch part = open.back();
     open.pop_back();
     const WideOutline region{ beam.Part(part.from, part.to), beam.Slack() };
-    if (part.halvings >= kLongParts &&
-      (!surface.MayMeet(region.outline, region.slack, Work) || staysOn(region, part.halvings)))
+    if (part.subdivisions >= kLongParts &&
+      (!surface.MayMeet(region.outline, region.slack, Work) || staysOn(region, part.subdivisions)))
     {
       continue;
     }
-    if (part.halvings == kBeamHalvings)
+    if (part.subdivisions == kBeamSubdivisions)
     {
       return false;
     }
     const double middle = 0.5 * (part.from + part.to);
-    open.push_back({ middle, part.to, part.halvings + 1 });
-    open.push_back({ part.from, middle, part.halvings + 1 });
+    open.push_back({ middle, part.to, part.subdivisions + 1 });
+    open.push_back({ part.from, middle, part.subdivisions + 1 });
   }
   return open.empty();
 }

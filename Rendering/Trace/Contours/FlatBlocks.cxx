@@ -48,7 +48,7 @@ FlatBlocks::Corner FlatBlocks::CornerAt(int x, int y)
   return corner;
 }
 
-std::array<FlatBlocks::Corner, Outline::kMostCorners> FlatBlocks::CornersOf(const TileArea& pixels)
+std::array<FlatBlocks::Corner, Outline::kMaxCorners> FlatBlocks::CornersOf(const TileArea& pixels)
 {
   return { CornerAt(pixels.x0, pixels.y0), CornerAt(pixels.x1, pixels.y0),
     CornerAt(pixels.x1, pixels.y1), CornerAt(pixels.x0, pixels.y1) };
@@ -56,7 +56,7 @@ std::array<FlatBlocks::Corner, Outline::kMostCorners> FlatBlocks::CornersOf(cons
 
 bool FlatBlocks::IsBeyond(const TileArea& pixels)
 {
-  std::array<EdgeEnd, Outline::kMostCorners> ends;
+  std::array<EdgeEnd, Outline::kMaxCorners> ends;
   const auto corners = CornersOf(pixels);
   for (std::size_t k = 0; k < ends.size(); ++k)
   {
@@ -76,7 +76,7 @@ std::optional<Outline> FlatBlocks::OutlineOf(const TileArea& pixels)
   return Outline(std::array{ found[0].x, found[1].x, found[2].x, found[3].x });
 }
 
-EdgeFinding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileArea& block)
+EdgeFinding FlatBlocks::ClassifyInside(const EdgeClassifier& classifier, const TileArea& block)
 {
   const int x = block.x0;
   const int y = block.y0;
@@ -96,32 +96,34 @@ EdgeFinding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileArea& bloc
     return EdgeFinding::Uncovered;
   }
   const std::array<EdgeEnd, 3> ends{ EndAt(x, y), EndAt(right, y), EndAt(x, above) };
-  const int side = judge.SideOf(ends[0].point.value);
+  const int side = classifier.SideOf(ends[0].point.value);
   const bool oneByOne = std::max(block.Width(), block.Height()) <= kOneByOne;
   if (!oneByOne &&
-    (judge.SideOf(ends[1].point.value) != side || judge.SideOf(ends[2].point.value) != side))
+    (classifier.SideOf(ends[1].point.value) != side ||
+      classifier.SideOf(ends[2].point.value) != side))
   {
     return EdgeFinding::Open;
   }
   const std::optional<Outline> outline = OutlineOf(block);
-  const std::optional<PlanarValues> values = outline ? judge.Over(ends, *outline) : std::nullopt;
+  const std::optional<PlanarValues> values =
+    outline ? classifier.Over(ends, *outline) : std::nullopt;
   if (!values)
   {
     return EdgeFinding::Uncovered;
   }
-  if (!judge.Meets(values->values.lower, values->values.upper))
+  if (!classifier.Meets(values->values.lower, values->values.upper))
   {
     return EdgeFinding::Out;
   }
   if (oneByOne)
   {
-    SettlePixels(judge, block, *values);
+    SettlePixels(classifier, block, *values);
   }
   return EdgeFinding::Open;
 }
 
 void FlatBlocks::SettlePixels(
-  const EdgeJudge& judge, const TileArea& block, const PlanarValues& values)
+  const EdgeClassifier& classifier, const TileArea& block, const PlanarValues& values)
 {
   const double error = values.error;
   for (int y = block.y0; y < block.y1; ++y)
@@ -146,12 +148,12 @@ void FlatBlocks::SettlePixels(
         lower = std::min(lower, value);
         upper = std::max(upper, value);
       }
-      if (!judge.Meets(lower - error, upper + error))
+      if (!classifier.Meets(lower - error, upper + error))
       {
         state = ContourVerdict::Out;
       }
       else if (ShowsAll && std::ranges::all_of(corners, &Corner::isAhead) &&
-        lower + error < upper - error && judge.Meets(lower + error, upper - error))
+        lower + error < upper - error && classifier.Meets(lower + error, upper - error))
       {
         // The pixel's edge leads from one side of the value to the other, within the element.
         state = ContourVerdict::In;
@@ -182,10 +184,10 @@ void FlatBlocks::LeaveOut(const TileArea& block)
   }
 }
 
-bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
+bool FlatBlocks::IsOutAnyhow(const EdgeClassifier& classifier, const TileArea& block)
 {
   const bool isLarge = std::max(block.Width(), block.Height()) > kBlock;
-  int side = EdgeJudge::kNoSide;
+  int side = EdgeClassifier::kNoSide;
   double lower = std::numeric_limits<double>::infinity();
   double upper = -lower;
   for (int y = block.y0; y < block.y1; ++y)
@@ -199,10 +201,10 @@ bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
           return false;
         }
         const double value = Centres->samples.value[Centres->At(x, y)];
-        const int its = judge.SideOf(value);
+        const int its = classifier.SideOf(value);
         lower = std::min(lower, value);
         upper = std::max(upper, value);
-        if (side != EdgeJudge::kNoSide && its != side)
+        if (side != EdgeClassifier::kNoSide && its != side)
         {
           return false;
         }
@@ -213,21 +215,22 @@ bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
   // A value that the field seems to take between the outermost centres and the block's edge.
   const int steps = std::max(block.Width(), block.Height()) - 1;
   const double more = steps > 0 ? 0.5 * (upper - lower) / steps : 0.0;
-  if (side != EdgeJudge::kNoSide && steps > 0 && judge.Meets(lower - more, upper + more))
+  if (side != EdgeClassifier::kNoSide && steps > 0 && classifier.Meets(lower - more, upper + more))
   {
     return false;
   }
   const std::optional<Outline> outline = OutlineOf(block);
   return outline &&
-    judge.BlockStaysOn(side, *outline, side == EdgeJudge::kNoSide || block.Width() <= kThorough);
+    classifier.BlockStaysOn(
+      side, *outline, side == EdgeClassifier::kNoSide || block.Width() <= kThorough);
 }
 
-void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
+void FlatBlocks::Settle(const EdgeClassifier& classifier, const TileArea& block)
 {
   const EdgeFinding finding =
-    !IsAhead && IsBeyond(block) ? EdgeFinding::Out : JudgeInside(judge, block);
+    !IsAhead && IsBeyond(block) ? EdgeFinding::Out : ClassifyInside(classifier, block);
   if (finding == EdgeFinding::Out ||
-    (finding == EdgeFinding::Uncovered && IsOutAnyhow(judge, block)))
+    (finding == EdgeFinding::Uncovered && IsOutAnyhow(classifier, block)))
   {
     LeaveOut(block);
     return;
@@ -244,13 +247,13 @@ void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
   {
     if (part.Width() > 0 && part.Height() > 0 && IsOpen(part))
     {
-      Settle(judge, part);
+      Settle(classifier, part);
     }
   }
 }
 
 std::vector<ContourVerdict> FlatBlocks::Settle(
-  const EdgeJudge& judge, std::span<const std::uint8_t> asked)
+  const EdgeClassifier& classifier, std::span<const std::uint8_t> asked)
 {
   const auto width = static_cast<std::size_t>(Area.Width());
   const auto height = static_cast<std::size_t>(Area.Height());
@@ -259,7 +262,7 @@ std::vector<ContourVerdict> FlatBlocks::Settle(
   std::ranges::transform(asked, States.begin(),
     [](std::uint8_t one) { return one != 0 ? ContourVerdict::Undecided : ContourVerdict::Out; });
   IsAhead = std::ranges::all_of(CornersOf(Area), &Corner::isAhead);
-  Settle(judge, Area);
+  Settle(classifier, Area);
   return std::move(States);
 }
 } // namespace pixelexact

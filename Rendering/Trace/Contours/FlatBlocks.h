@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Contours/EdgeJudge.h"
-#include "Trace/Contours/EdgeSettler.h"
+#include "Trace/Contours/EdgeClassifier.h"
+#include "Trace/Contours/EdgeRefiner.h"
 #include "Trace/Contours/LayerSight.h"
 
 #include <array>
@@ -28,20 +28,21 @@ public:
   /// For each pixel of the tile, row by row; Undecided: it is still open. Of those that are not
   /// asked for (0): Out.
   [[nodiscard]] std::vector<ContourVerdict> Settle(
-    const EdgeJudge& judge, std::span<const std::uint8_t> asked);
+    const EdgeClassifier& classifier, std::span<const std::uint8_t> asked);
 
 private:
-  void Settle(const EdgeJudge& judge, const TileArea& block);
+  void Settle(const EdgeClassifier& classifier, const TileArea& block);
   /// By three of its centres, if they are in one element: Out, Open, or Uncovered where the block
   /// is not proven to lie in one element. Of a small block that is open, pixels
   /// may be settled.
-  [[nodiscard]] EdgeFinding JudgeInside(const EdgeJudge& judge, const TileArea& block);
+  [[nodiscard]] EdgeFinding ClassifyInside(const EdgeClassifier& classifier, const TileArea& block);
   /// Pixels by the values at their corners, known up to an error.
-  void SettlePixels(const EdgeJudge& judge, const TileArea& block, const PlanarValues& values);
+  void SettlePixels(
+    const EdgeClassifier& classifier, const TileArea& block, const PlanarValues& values);
   [[nodiscard]] bool IsOpen(const TileArea& block) const;
   void LeaveOut(const TileArea& block);
   /// By all elements that it may meet.
-  [[nodiscard]] bool IsOutAnyhow(const EdgeJudge& judge, const TileArea& block);
+  [[nodiscard]] bool IsOutAnyhow(const EdgeClassifier& classifier, const TileArea& block);
   [[nodiscard]] bool IsBeyond(const TileArea& pixels);
   [[nodiscard]] std::optional<Outline> OutlineOf(const TileArea& pixels);
   struct Corner
@@ -52,7 +53,7 @@ private:
     Vec3 x{ 0.0 };
   };
   [[nodiscard]] Corner CornerAt(int x, int y);
-  [[nodiscard]] std::array<Corner, Outline::kMostCorners> CornersOf(const TileArea& pixels);
+  [[nodiscard]] std::array<Corner, Outline::kMaxCorners> CornersOf(const TileArea& pixels);
   [[nodiscard]] bool ShowsAt(int x, int y) const
   {
     return Centres && Sight.ShowsAt(Centres->samples, Centres->At(x, y));

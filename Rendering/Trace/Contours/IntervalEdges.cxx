@@ -25,10 +25,10 @@ struct SeenPixel
   PartVerdict edges = PartVerdict::Out; ///< the least certain of their parts
 };
 
-class TileJudge
+class TileClassifier
 {
 public:
-  TileJudge(TileVisit& tile, std::span<const std::vector<double>> values)
+  TileClassifier(TileVisit& tile, std::span<const std::vector<double>> values)
     : Tile(tile)
     , Values(values)
     , Lattice(tile.Area())
@@ -51,9 +51,9 @@ public:
     {
       if (level > 0)
       {
-        Halve(counters);
+        Subdivide(counters);
       }
-      JudgeOpen(counters);
+      ClassifyOpen(counters);
       CountLevel(level, counters);
     }
     for (const SeenPixel& pixel : Pixels)
@@ -123,12 +123,12 @@ private:
   }
 
   /// Intervals on the open parts: those stay that may hold a value and are asked for.
-  void JudgeOpen(IntervalCounters& counters)
+  void ClassifyOpen(IntervalCounters& counters)
   {
     std::erase_if(Open, [this](const EdgePart& part) { return !IsAsked(part.edge); });
     counters.parts += static_cast<std::int64_t>(Open.size());
     std::vector<PartVerdict> verdicts;
-    Parts.Judge(Samples, Open, verdicts);
+    Parts.Classify(Samples, Open, verdicts);
     for (SeenPixel& pixel : Pixels)
     {
       pixel.edges = PartVerdict::Out;
@@ -153,7 +153,7 @@ private:
   }
 
   /// The open parts in halves, with samples between.
-  void Halve(IntervalCounters& counters)
+  void Subdivide(IntervalCounters& counters)
   {
     const auto first = Samples.size();
     std::vector<ImagePosition> middles;
@@ -173,7 +173,7 @@ private:
       }
     }
     counters.samples += static_cast<std::int64_t>(middles.size());
-    std::vector<EdgePart> halves;
+    std::vector<EdgePart> children;
     for (std::size_t i = 0; i < Open.size(); ++i)
     {
       const EdgePart& part = Open[i];
@@ -185,10 +185,10 @@ private:
           Show(pixel, Samples[first + i]);
         }
       }
-      halves.push_back({ part.edge, part.from, middle });
-      halves.push_back({ part.edge, middle, part.to });
+      children.push_back({ part.edge, part.from, middle });
+      children.push_back({ part.edge, middle, part.to });
     }
-    Open = std::move(halves);
+    Open = std::move(children);
   }
 
   void CountLevel(int level, IntervalCounters& counters)
@@ -232,13 +232,13 @@ void IntervalCounters::Add(const IntervalCounters& other)
   parts += other.parts;
 }
 
-void JudgeByIntervals(TileVisit& tile, std::span<const std::vector<double>> values,
+void ClassifyByIntervals(TileVisit& tile, std::span<const std::vector<double>> values,
   int subdivisions, std::span<std::uint8_t> verdicts, IntervalCounters& counters)
 {
-  if (!(subdivisions >= 0 && subdivisions <= kMostSubdivisions))
+  if (!(subdivisions >= 0 && subdivisions <= kMaxSubdivisions))
   {
     throw Error("contours by intervals: " + std::to_string(subdivisions) +
-      " subdivisions; give 0 to " + std::to_string(kMostSubdivisions) + ".");
+      " subdivisions; give 0 to " + std::to_string(kMaxSubdivisions) + ".");
   }
   const auto layers = tile.GetScene().layers.size();
   if (values.size() > layers)
@@ -253,8 +253,8 @@ void JudgeByIntervals(TileVisit& tile, std::span<const std::vector<double>> valu
       RequirePolynomials(*layer.field, "contours by intervals");
     }
   }
-  TileJudge judge(tile, values);
-  judge.Run(subdivisions, counters);
-  judge.Write(verdicts);
+  TileClassifier classifier(tile, values);
+  classifier.Run(subdivisions, counters);
+  classifier.Write(verdicts);
 }
 } // namespace pixelexact

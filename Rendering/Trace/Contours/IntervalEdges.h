@@ -68,8 +68,8 @@ private:
 
 class TileVisit;
 
-/// Levels of subdivision that JudgeByIntervals takes, at most: an edge in 256 parts.
-inline constexpr int kMostSubdivisions = 8;
+/// Levels of subdivision that ClassifyByIntervals takes, at most: an edge in 256 parts.
+inline constexpr int kMaxSubdivisions = 8;
 
 /// What became of pixels, for reports and tests.
 struct IntervalCounters
@@ -82,9 +82,9 @@ struct IntervalCounters
   std::int64_t unproven = 0;
   /// By level, 0 the corners: pixels that became In there, and that were undecided after it; these
   /// are the algorithm's results with fewer subdivisions.
-  std::array<std::int64_t, kMostSubdivisions + 1> inAt{};
-  std::array<std::int64_t, kMostSubdivisions + 1> undecidedAfter{};
-  std::array<std::int64_t, kMostSubdivisions + 1> unprovenAfter{};
+  std::array<std::int64_t, kMaxSubdivisions + 1> inAt{};
+  std::array<std::int64_t, kMaxSubdivisions + 1> undecidedAfter{};
+  std::array<std::int64_t, kMaxSubdivisions + 1> unprovenAfter{};
   std::int64_t samples = 0; ///< on edges, beside the corners
   std::int64_t parts = 0;   ///< of edges, that were judged
 
@@ -107,7 +107,7 @@ struct IntervalCounters
 /// `values`: of each of the scene's layers its iso-values, in ascending order; layers beyond the
 /// list have none. `verdicts`: of the tile's pixels, row by row, a ContourVerdict each. The
 /// corners must have kEdgeSampleBuffers. What a pixel gets does not depend on tiles. Throws Error
-/// for subdivisions beyond 0 to kMostSubdivisions, and for more lists of values than layers.
-void JudgeByIntervals(TileVisit& tile, std::span<const std::vector<double>> values,
+/// for subdivisions beyond 0 to kMaxSubdivisions, and for more lists of values than layers.
+void ClassifyByIntervals(TileVisit& tile, std::span<const std::vector<double>> values,
   int subdivisions, std::span<std::uint8_t> verdicts, IntervalCounters& counters);
 } // namespace pixelexact

@@ -30,17 +30,17 @@ double LargestOf(const Vec3& x)
 
 IntervalParts::IntervalParts(
   const Scene& scene, const Camera& camera, std::span<const std::vector<double>> values)
-  : TheScene(scene)
-  , TheCamera(camera)
+  : scene_(scene)
+  , camera_(camera)
   , Values(values)
 {
   if (scene.layers.size() == 1)
   {
-    ThePlane = dynamic_cast<const Plane*>(scene.layers.front().surface.get());
+    plane_ = dynamic_cast<const Plane*>(scene.layers.front().surface.get());
   }
 }
 
-void IntervalParts::Judge(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
+void IntervalParts::Classify(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
   std::vector<PartVerdict>& verdicts) const
 {
   verdicts.assign(parts.size(), PartVerdict::Unproven);
@@ -49,7 +49,7 @@ void IntervalParts::Judge(std::span<const EdgeSample> samples, std::span<const E
     std::ranges::fill(verdicts, PartVerdict::Out);
     return;
   }
-  if (!ThePlane)
+  if (!plane_)
   {
     return;
   }
@@ -80,12 +80,12 @@ void IntervalParts::Judge(std::span<const EdgeSample> samples, std::span<const E
   {
     const auto end =
       std::find_if(begin, inside.end(), [&](int i) { return elementOf(i) != elementOf(*begin); });
-    JudgeInElement(samples, parts, { begin, end }, verdicts);
+    ClassifyInElement(samples, parts, { begin, end }, verdicts);
     begin = end;
   }
 }
 
-void IntervalParts::JudgeInElement(std::span<const EdgeSample> samples,
+void IntervalParts::ClassifyInElement(std::span<const EdgeSample> samples,
   std::span<const EdgePart> parts, std::span<const int> chosen,
   std::vector<PartVerdict>& verdicts) const
 {
@@ -111,8 +111,8 @@ void IntervalParts::JudgeInElement(std::span<const EdgeSample> samples,
   std::vector<Interval> intervals(chosen.size());
   const int element =
     samples[static_cast<std::size_t>(parts[static_cast<std::size_t>(chosen.front())].from)].element;
-  const Layer& layer = TheScene.layers.front();
-  SegmentIntervals(TheScene.locator->GetMesh(), *layer.field, layer.component, element,
+  const Layer& layer = scene_.layers.front();
+  SegmentIntervals(scene_.locator->GetMesh(), *layer.field, layer.component, element,
     { lanes[0].View(), lanes[1].View(), lanes[2].View(), lanes[3].View(), slack.data() },
     intervals);
   for (std::size_t k = 0; k < chosen.size(); ++k)
@@ -134,7 +134,7 @@ bool IntervalParts::IsStraight(const EdgeSample& from, const EdgeSample& to) con
 bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) const
 {
   const auto hitsOf = [&](const EdgeSample& sample)
-  { return HitsOf(*ThePlane, TheCamera.At(sample.at[0], sample.at[1])); };
+  { return HitsOf(*plane_, camera_.At(sample.at[0], sample.at[1])); };
   const auto first = hitsOf(from);
   const auto last = hitsOf(to);
   if (first.empty() || last.empty())
@@ -143,7 +143,7 @@ bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) c
   }
   Segment chord{ first.front().position, last.front().position };
   chord.slack = std::max(SlackOf(chord.from, from.at), SlackOf(chord.to, to.at));
-  const bool cutAway = std::ranges::any_of(TheScene.kept,
+  const bool cutAway = std::ranges::any_of(scene_.kept,
     [&](const KeptHalfSpace& half)
     {
       const Vec3 normal{ half[0], half[1], half[2] };
@@ -151,21 +151,21 @@ bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) c
       return glm::dot(normal, chord.from) + half[3] < -rounding &&
         glm::dot(normal, chord.to) + half[3] < -rounding;
     });
-  return cutAway || MissesMesh(TheScene.locator->Index(), chord);
+  return cutAway || MissesMesh(scene_.locator->Index(), chord);
 }
 
 double IntervalParts::SlackOf(const Vec3& position, const ImagePosition& at) const
 {
-  const Ray ray = TheCamera.At(at[0], at[1]);
+  const Ray ray = camera_.At(at[0], at[1]);
   // Towards grazing rays, t is less and less certain.
   return kPositionRoundings * kUnitRoundoff *
-    (LargestOf(ray.origin) + LargestOf(ThePlane->Through()) + LargestOf(position) +
+    (LargestOf(ray.origin) + LargestOf(plane_->Through()) + LargestOf(position) +
       glm::distance(ray.origin, position)) /
     std::fabs(Slope(at));
 }
 
 double IntervalParts::Slope(const ImagePosition& at) const
 {
-  return glm::dot(ThePlane->Normal({ Vec3(0.0) }), TheCamera.At(at[0], at[1]).direction);
+  return glm::dot(plane_->Normal({ Vec3(0.0) }), camera_.At(at[0], at[1]).direction);
 }
 } // namespace pixelexact

@@ -44,11 +44,11 @@ public:
   IntervalParts(
     const Scene& scene, const Camera& camera, std::span<const std::vector<double>> values);
 
-  void Judge(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
+  void Classify(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
     std::vector<PartVerdict>& verdicts) const;
 
 private:
-  void JudgeInElement(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
+  void ClassifyInElement(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
     std::span<const int> chosen, std::vector<PartVerdict>& verdicts) const;
   [[nodiscard]] bool IsStraight(const EdgeSample& from, const EdgeSample& to) const;
   [[nodiscard]] bool IsBesideMesh(const EdgeSample& from, const EdgeSample& to) const;
@@ -56,9 +56,9 @@ private:
   [[nodiscard]] double Slope(const ImagePosition& at) const;
   [[nodiscard]] double SlackOf(const Vec3& position, const ImagePosition& at) const;
 
-  const Scene& TheScene;
-  const Camera& TheCamera;
+  const Scene& scene_;
+  const Camera& camera_;
   std::span<const std::vector<double>> Values;
-  const Plane* ThePlane = nullptr; ///< null: another scene
+  const Plane* plane_ = nullptr; ///< null: another scene
 };
 } // namespace pixelexact

@@ -25,8 +25,8 @@ struct LayerBounds::SharedRange
 };
 
 LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
-  : TheIndex(locator.Index())
-  , TheField(*layer.field)
+  : index_(locator.Index())
+  , field_(*layer.field)
   , Component(layer.component == kMagnitude ? -1 : layer.component)
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
   , Made(static_cast<std::size_t>(locator.GetMesh().Elements()))
@@ -40,10 +40,8 @@ LayerBounds::~LayerBounds() = default;
 const ElementPlateaus& LayerBounds::PlateausOf(int element) const
 {
   return Plateaus.Get(static_cast<std::size_t>(element),
-    [&]
-    {
-      return std::make_unique<const ElementPlateaus>(
-        TheIndex.GetMesh(), element, TheField, Component);
+    [&] {
+      return std::make_unique<const ElementPlateaus>(index_.GetMesh(), element, field_, Component);
     });
 }
 
@@ -53,7 +51,7 @@ const EdgeBounds& LayerBounds::Of(int element) const
     [&]
     {
       return std::make_unique<const EdgeBounds>(
-        TheIndex.GetMesh(), TheIndex.BoundsOf(element), element, TheField, Component, Rounding);
+        index_.GetMesh(), index_.BoundsOf(element), element, field_, Component, Rounding);
     });
 }
 

@@ -30,11 +30,11 @@ public:
   /// or without a gradient.
   [[nodiscard]] bool IsUnknown() const
   {
-    return TheField.function != nullptr && !TheField.function->HasJets();
+    return field_.function != nullptr && !field_.function->HasJets();
   }
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
-  [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
+  [[nodiscard]] const ElementIndex& Index() const { return index_; }
   /// Holds the values in all elements but those that are not finite; found out once, by all threads
   /// that ask.
   [[nodiscard]] const Interval& Values() const;
@@ -46,8 +46,8 @@ public:
   }
 
 private:
-  const ElementIndex& TheIndex;
-  const Field& TheField;
+  const ElementIndex& index_;
+  const Field& field_;
   int Component;
   double Rounding;
   MadeOnDemand<EdgeBounds> Made;

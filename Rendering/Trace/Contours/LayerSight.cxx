@@ -21,12 +21,12 @@ constexpr double kBeyond = 1.0 + 1e-6;
 LayerSight::LayerSight(TileVisit& tile, int layer)
   : Tile(tile)
   , Layer(layer)
-  , TheSurface(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
-  , ThePlane(dynamic_cast<const Plane*>(&TheSurface))
+  , surface_(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
+  , plane_(dynamic_cast<const Plane*>(&surface_))
 {
   const CameraRays& rays = Tile.GetCamera().Rays();
   IsParallel = rays.direction.u == Vec3(0.0) && rays.direction.v == Vec3(0.0);
-  if (IsParallel || !ThePlane)
+  if (IsParallel || !plane_)
   {
     return;
   }
@@ -48,7 +48,7 @@ double LayerSight::DepthOf(const Vec3& x) const
 
 bool LayerSight::IsPlaneBeyond(std::span<const EdgeEnd> ends) const
 {
-  if (!ThePlane || std::ranges::all_of(ends, &EdgeEnd::isAhead))
+  if (!plane_ || std::ranges::all_of(ends, &EdgeEnd::isAhead))
   {
     return false;
   }
@@ -85,14 +85,14 @@ EdgeEnd LayerSight::EndOf(
       end.piece = samples.piece[i];
       end.parameters[0] = samples.pieceU[i];
       end.parameters[1] = samples.pieceV[i];
-      end.face = TheSurface.FaceOf(end.piece);
+      end.face = surface_.FaceOf(end.piece);
     }
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);
     end.meets = true;
     end.isAhead = true;
   }
-  else if (ThePlane)
+  else if (plane_)
   {
     MeetPlane(end);
   }
@@ -102,7 +102,7 @@ EdgeEnd LayerSight::EndOf(
 void LayerSight::MeetPlane(EdgeEnd& end) const
 {
   // It goes on where the mesh ends, and of parallel rays behind the eye.
-  const auto [t, x] = ThePlane->Cross(RayOf(end));
+  const auto [t, x] = plane_->Cross(RayOf(end));
   end.isAhead = kNearest <= t && t <= kFarthest;
   end.meets = end.isAhead || (IsParallel && kNearest <= -t && -t <= kFarthest);
   end.point.x = end.meets ? x : Vec3(0.0);
@@ -126,7 +126,7 @@ SurfaceEdge LayerSight::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   if (a.meets && b.meets)
   {
     edge.sagitta =
-      ThePlane ? 0.0 : TheSurface.Sagitta(RayOf(a), a.OnSurface(), RayOf(b), b.OnSurface());
+      plane_ ? 0.0 : surface_.Sagitta(RayOf(a), a.OnSurface(), RayOf(b), b.OnSurface());
   }
   return edge;
 }
@@ -144,12 +144,12 @@ double LayerSight::SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const
     rays[k] = RayOf(*ends[k]);
     hits[k] = ends[k]->point.x;
   }
-  return TheSurface.SagittaOver(rays, hits);
+  return surface_.SagittaOver(rays, hits);
 }
 
 bool LayerSight::AreNear(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  if (ThePlane)
+  if (plane_)
   {
     return true;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Contours/EdgeClassifier.h"
 #include "Trace/Frame.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
@@ -43,9 +43,9 @@ class LayerSight
 public:
   LayerSight(TileVisit& tile, int layer);
 
-  [[nodiscard]] const Surface& GetSurface() const { return TheSurface; }
+  [[nodiscard]] const Surface& GetSurface() const { return surface_; }
   /// The surface, if it is a plane; else null.
-  [[nodiscard]] const Plane* AsPlane() const { return ThePlane; }
+  [[nodiscard]] const Plane* AsPlane() const { return plane_; }
   [[nodiscard]] bool Shows(const EdgeEnd& end) const { return end.layer == Layer; }
   [[nodiscard]] bool ShowsAt(const SampleBuffers& samples, std::size_t i) const
   {
@@ -83,8 +83,8 @@ private:
 
   TileVisit& Tile;
   int Layer;
-  const Surface& TheSurface;
-  const Plane* ThePlane; ///< the surface, if it is one
+  const Surface& surface_;
+  const Plane* plane_; ///< the surface, if it is one
   bool IsParallel;
   double MeshDepth = 0.0; ///< of the mesh's farthest point, or more
 };

@@ -21,7 +21,7 @@ std::array<ImagePosition, kAdded> PlacesIn(const PixelInteriors::Corners& corner
   return { between(0, 1), between(1, 2), between(2, 3), between(3, 0), between(0, 2) };
 }
 
-/// A pixel's segments are one edge to EdgeSettler.
+/// A pixel's segments are one edge to EdgeRefiner.
 ContourMethod WithAnySamples(ContourMethod method)
 {
   method.samples = ContourMethod::kAny;
@@ -29,14 +29,14 @@ ContourMethod WithAnySamples(ContourMethod method)
 }
 } // namespace
 
-PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeJudge& judge,
+PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeClassifier& classifier,
   const ContourMethod& method, std::span<ContourVerdict> states, ContourCounters& counted)
   : Sight(sight)
-  , Judge(judge)
+  , Classifier(classifier)
   , Method(method)
   , States(states)
   , Counted(counted)
-  , Lines(sight, judge, WithAnySamples(method), states, counted)
+  , Lines(sight, classifier, WithAnySamples(method), states, counted)
   , Squares(states.size(), 0)
 {
 }
@@ -58,13 +58,13 @@ bool PixelInteriors::IsOut(const Square& square) const
     // Another layer hides this one at all corners, or there is nothing of it.
     return true;
   }
-  int side = EdgeJudge::kNoSide;
+  int side = EdgeClassifier::kNoSide;
   for (const EdgeEnd& end : ends)
   {
     if (Sight.Shows(end))
     {
-      const int its = Judge.SideOf(end.point.value);
-      if (side != EdgeJudge::kNoSide && its != side)
+      const int its = Classifier.SideOf(end.point.value);
+      if (side != EdgeClassifier::kNoSide && its != side)
       {
         return false;
       }
@@ -74,19 +74,19 @@ bool PixelInteriors::IsOut(const Square& square) const
   const bool isPlane = Sight.GetSurface().IsPlane();
   if (!std::ranges::all_of(ends, &EdgeEnd::meets))
   {
-    // A curved surface that no corner shows is not asked for; see EdgeSettler.
+    // A curved surface that no corner shows is not asked for; see EdgeRefiner.
     return !isPlane &&
       std::ranges::none_of(ends, [this](const EdgeEnd& end) { return Sight.Shows(end); });
   }
   const Vec3 x[4] = { ends[0].point.x, ends[1].point.x, ends[2].point.x, ends[3].point.x };
   if (isPlane)
   {
-    return Judge.StaysOn(side, Outline(x), 0.0);
+    return Classifier.StaysOn(side, Outline(x), 0.0);
   }
   // One side of both triangles, of which all corners are.
   const auto staysOn = [&](std::size_t a, std::size_t b, std::size_t c)
   {
-    return Judge.StaysOn(side, Outline(std::array{ x[a], x[b], x[c] }),
+    return Classifier.StaysOn(side, Outline(std::array{ x[a], x[b], x[c] }),
       Sight.SagittaOver({ &ends[a], &ends[b], &ends[c] }));
   };
   return staysOn(0, 1, 2) && staysOn(0, 2, 3);
@@ -120,7 +120,7 @@ void PixelInteriors::Compare(const Square& square, std::span<const EdgeEnd> samp
   const EdgeEnd& first = corner != square.corners.end() ? *corner : *sample;
   for (const EdgeEnd& other : samples)
   {
-    if (Sight.Shows(other) && Judge.AreOpposite(first, other))
+    if (Sight.Shows(other) && Classifier.AreOpposite(first, other))
     {
       Lines.Add(square.pixel, first, other, false);
       Lines.EndRow();
@@ -142,9 +142,9 @@ void PixelInteriors::Refine()
     std::int64_t cost = 0;
     for (const Square& square : squares)
     {
-      cost += kAdded * Judge.SampleCost(square.corners[0], square.corners[2]);
+      cost += kAdded * Classifier.SampleCost(square.corners[0], square.corners[2]);
     }
-    if (!Judge.Affords(cost))
+    if (!Classifier.Affords(cost))
     {
       for (const Square& square : squares)
       {
@@ -165,7 +165,7 @@ void PixelInteriors::Refine()
     {
       if (end.isUnknown)
       {
-        Judge.SpendOnUnknown();
+        Classifier.SpendOnUnknown();
       }
     }
     for (std::size_t i = 0; i < squares.size(); ++i)

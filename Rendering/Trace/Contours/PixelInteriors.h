@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Contours/EdgeSettler.h"
+#include "Trace/Contours/EdgeRefiner.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ class PixelInteriors
 {
 public:
   /// `states`: of all pixels; only those that are out are asked. All must outlive it.
-  PixelInteriors(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
+  PixelInteriors(LayerSight& sight, const EdgeClassifier& classifier, const ContourMethod& method,
     std::span<ContourVerdict> states, ContourCounters& counted);
 
   /// A pixel's corners: lower left, lower right, upper right, upper left.
@@ -39,11 +39,11 @@ private:
   void Compare(const Square& square, std::span<const EdgeEnd> samples);
 
   LayerSight& Sight;
-  const EdgeJudge& Judge;
+  const EdgeClassifier& Classifier;
   ContourMethod Method;
   std::span<ContourVerdict> States;
   ContourCounters& Counted;
-  EdgeSettler Lines;        ///< from sample to sample
+  EdgeRefiner Lines;        ///< from sample to sample
   std::vector<int> Squares; ///< open, of each pixel
   std::vector<Square> Open;
 };

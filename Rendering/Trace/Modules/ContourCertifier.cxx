@@ -17,7 +17,7 @@ namespace
 {
 /// Of what may be spent on a frame: what is for every tile, and the most for one.
 constexpr double kFirstShare = 0.5;
-constexpr double kMostOfTile = 0.1;
+constexpr double kMaxOfTile = 0.1;
 /// Of the work of a frame, where a layer with lines shows an expression: boxes and points cost many
 /// times what they cost of fields, and pixels that need as much are seldom decided by more.
 constexpr double kShareOfExpressions = 0.125;
@@ -44,7 +44,7 @@ void ContourMethod::SetEffort(double effort)
   const int doublings = std::max(0, static_cast<int>(std::log2(effort)));
   const auto times = [effort](auto least)
   { return static_cast<decltype(least)>(static_cast<double>(least) * effort); };
-  halvings = usual.halvings + doublings;
+  subdivisions = usual.subdivisions + doublings;
   crossings = usual.crossings + doublings;
   quarterings = usual.quarterings + doublings;
   parts = std::max(usual.parts, times(usual.parts));
@@ -139,7 +139,7 @@ void ContourCertifier::Process(TileVisit& tile)
   if (Method.subdivisions)
   {
     IntervalCounters found;
-    JudgeByIntervals(tile, IsoValues, *Method.subdivisions, verdicts, found);
+    ClassifyByIntervals(tile, IsoValues, *Method.subdivisions, verdicts, found);
     ContourCounters counters;
     counters.samples = found.samples;
     Keep(tile.Area(), verdicts, counters);
@@ -150,30 +150,30 @@ void ContourCertifier::Process(TileVisit& tile)
   const double part = kFirstShare * static_cast<double>(verdicts.size()) /
     static_cast<double>(std::max<std::size_t>(Pixels.size(), 1));
   const auto share = static_cast<std::int64_t>(part * WorkOf(tile.GetScene()));
-  JudgedTile judged;
-  judged.area = tile.Area();
-  Judge(tile, share, judged);
-  Take(std::move(judged), 0);
+  ClassifiedTile classified;
+  classified.area = tile.Area();
+  Classify(tile, share, classified);
+  Take(std::move(classified), 0);
 }
 
-void ContourCertifier::Take(JudgedTile judged, std::size_t pass)
+void ContourCertifier::Take(ClassifiedTile classified, std::size_t pass)
 {
   const std::lock_guard lock(CountersMutex);
-  Passes[pass].spent += judged.spent;
-  if (judged.counters.spent > 0 && pass + 1 < kPasses)
+  Passes[pass].spent += classified.spent;
+  if (classified.counters.spent > 0 && pass + 1 < kPasses)
   {
-    Passes[pass].left.push_back(std::move(judged));
+    Passes[pass].left.push_back(std::move(classified));
   }
   else
   {
-    Counted.Add(judged.counters);
+    Counted.Add(classified.counters);
   }
 }
 
 void ContourCertifier::ProcessAgain(TileVisit& tile, std::size_t pass)
 {
-  std::vector<JudgedTile>& left = Passes[pass].left;
-  const auto isThis = [&area = tile.Area()](const JudgedTile& one)
+  std::vector<ClassifiedTile>& left = Passes[pass].left;
+  const auto isThis = [&area = tile.Area()](const ClassifiedTile& one)
   { return one.area.x0 == area.x0 && one.area.y0 == area.y0; };
   const auto found = std::ranges::find_if(left, isThis);
   if (found == left.end())
@@ -186,10 +186,10 @@ void ContourCertifier::ProcessAgain(TileVisit& tile, std::size_t pass)
   {
     rest -= static_cast<double>(Passes[k].spent);
   }
-  const double share = std::min(kMostOfTile * all, rest / static_cast<double>(left.size()));
-  JudgedTile judged = std::move(*found);
-  Judge(tile, static_cast<std::int64_t>(std::max(share, 0.0)), judged);
-  Take(std::move(judged), pass + 1);
+  const double share = std::min(kMaxOfTile * all, rest / static_cast<double>(left.size()));
+  ClassifiedTile classified = std::move(*found);
+  Classify(tile, static_cast<std::int64_t>(std::max(share, 0.0)), classified);
+  Take(std::move(classified), pass + 1);
 }
 
 bool ContourCertifier::HasLines(const Scene& scene, std::size_t layer) const
@@ -208,7 +208,7 @@ double ContourCertifier::WorkOf(const Scene& scene) const
   return (hasExpressions ? kShareOfExpressions : 1.0) * static_cast<double>(Method.work);
 }
 
-void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& judged)
+void ContourCertifier::Classify(TileVisit& tile, std::int64_t most, ClassifiedTile& classified)
 {
   const Scene& scene = tile.GetScene();
   const auto hasLines = [&](std::size_t k) { return HasLines(scene, k); };
@@ -217,11 +217,11 @@ void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& jud
   {
     layers += hasLines(k) ? 1 : 0;
   }
-  const bool again = !judged.works.empty();
+  const bool again = !classified.works.empty();
   ContourTile pixels =
-    again ? ContourTile(tile, Method, VerdictsOf(judged.area)) : ContourTile(tile, Method);
-  judged.spent = 0;
-  judged.counters.spent = 0;
+    again ? ContourTile(tile, Method, VerdictsOf(classified.area)) : ContourTile(tile, Method);
+  classified.spent = 0;
+  classified.counters.spent = 0;
   std::size_t number = 0;
   for (std::size_t k = 0; k < IsoValues.size(); ++k)
   {
@@ -229,29 +229,29 @@ void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& jud
     {
       continue;
     }
-    const std::int64_t share = (most - judged.spent) / layers--;
+    const std::int64_t share = (most - classified.spent) / layers--;
     if (again)
     {
-      judged.works[number].GoOn(share);
+      classified.works[number].GoOn(share);
     }
     else
     {
-      judged.works.emplace_back(share);
+      classified.works.emplace_back(share);
     }
-    EdgeWork& work = judged.works[number++];
-    pixels.Judge(
+    EdgeWork& work = classified.works[number++];
+    pixels.Classify(
       { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) }, work);
-    judged.spent += work.Spent();
-    judged.counters.spent += work.IsSpent() ? 1 : 0;
+    classified.spent += work.Spent();
+    classified.counters.spent += work.IsSpent() ? 1 : 0;
   }
   std::vector<std::uint8_t> verdicts(PixelsOf(tile.Area()));
   std::ranges::transform(pixels.Verdicts(), verdicts.begin(),
     [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
-  judged.counters.Add(pixels.Counters());
-  Keep(tile.Area(), verdicts, judged.counters);
-  if (judged.counters.in > 0)
+  classified.counters.Add(pixels.Counters());
+  Keep(tile.Area(), verdicts, classified.counters);
+  if (classified.counters.in > 0)
   {
-    KeepPlateaus(judged.area, pixels.Plateaus());
+    KeepPlateaus(classified.area, pixels.Plateaus());
   }
 }
 

@@ -47,12 +47,13 @@ struct ContourCounters
 /// How pixels are told.
 struct ContourMethod
 {
-  /// The paper's algorithm with so many subdivisions (JudgeByIntervals); none: the project's own.
+  /// The paper's algorithm with so many subdivisions (ClassifyByIntervals); none: the project's
+  /// own.
   std::optional<int> subdivisions;
   // What may be spent on an edge by the project's own.
-  int halvings = 8;   ///< of an edge in one element
-  int crossings = 12; ///< of one that leaves its element
-  int parts = 16;     ///< of an edge that are open at once
+  int subdivisions = 8; ///< of an edge in one element
+  int crossings = 12;   ///< of one that leaves its element
+  int parts = 16;       ///< of an edge that are open at once
   static constexpr int kAny = std::numeric_limits<int>::max();
   int samples = 20; ///< of an edge on a plane, but between values on two sides
   /// On samples and on boxes of elements, for a frame, in about nanoseconds (EdgeWork).
@@ -127,7 +128,7 @@ private:
     FrameModule* Next;
   };
   /// A tile, as far as it is judged.
-  struct JudgedTile
+  struct ClassifiedTile
   {
     TileArea area{};
     ContourCounters counters;
@@ -138,7 +139,7 @@ private:
   struct Pass
   {
     std::int64_t spent = 0;
-    std::vector<JudgedTile> left; ///< in which it ran out; complete when the next pass begins
+    std::vector<ClassifiedTile> left; ///< in which it ran out; complete when the next pass begins
   };
   static constexpr std::size_t kPasses = 3;
 
@@ -147,10 +148,10 @@ private:
   [[nodiscard]] bool HasLines(const Scene& scene, std::size_t layer) const;
   /// What may be spent on a frame.
   [[nodiscard]] double WorkOf(const Scene& scene) const;
-  void Judge(TileVisit& tile, std::int64_t most, JudgedTile& judged);
+  void Classify(TileVisit& tile, std::int64_t most, ClassifiedTile& classified);
   void ProcessAgain(TileVisit& tile, std::size_t pass);
   /// After a pass.
-  void Take(JudgedTile judged, std::size_t pass);
+  void Take(ClassifiedTile classified, std::size_t pass);
   [[nodiscard]] std::vector<ContourVerdict> VerdictsOf(const TileArea& area) const;
   void Count(const ContourCounters& counters);
   /// Verdicts of an area's pixels, row by row.

@@ -199,9 +199,9 @@ private:
     // On a plateau lines would follow the rounding.
     const bool isTold = Cells.LayerOf(x, y) == layer && !Lines.Certifier.IsOnPlateau(pixel);
     const double drawn = isTold ? DrawLines(x, y, layer, range, color) : 0.0;
-    if (held && drawn < kLeastShare)
+    if (held && drawn < kMinShare)
     {
-      const double least = drawn > 0.0 ? kLeastShare : std::min(1.0, Lines.Style.width);
+      const double least = drawn > 0.0 ? kMinShare : std::min(1.0, Lines.Style.width);
       PutOver(Lines.ColorOf(layer, NearestAt(x, y, layer, values)), least, color);
     }
   }

@@ -60,7 +60,7 @@ class ContourLines final : public FrameModule
 {
 public:
   /// Of a pixel that is not Out, the line covers no less.
-  static constexpr double kLeastShare = 0.05;
+  static constexpr double kMinShare = 0.05;
 
   /// `colors`: for each of the certifier's layers one for each of its values, in ascending order,
   /// or one for all. Throws Error for a width out of range, and where colours are missing. The

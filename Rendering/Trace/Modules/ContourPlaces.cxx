@@ -36,7 +36,7 @@ class Search
 public:
   Search(const Frame& frame, const Camera& camera, const ContourCertifier& contours,
     const std::vector<std::vector<LabelSize>>& sizes, bool undecided)
-    : TheFrame(frame)
+    : frame_(frame)
     , Contours(contours)
     , Sizes(sizes)
     , OnUndecided(undecided)
@@ -51,9 +51,9 @@ public:
   std::vector<Candidate> Find()
   {
     std::vector<Candidate> found;
-    for (int y = 0; y + 1 < TheFrame.height; y += kTried)
+    for (int y = 0; y + 1 < frame_.height; y += kTried)
     {
-      for (int x = 0; x + 1 < TheFrame.width; x += kTried)
+      for (int x = 0; x + 1 < frame_.width; x += kTried)
       {
         const std::uint8_t layer = Cells.LayerOf(x, y);
         if (layer == kNoLayer)
@@ -146,21 +146,21 @@ private:
         std::swap(points.front(), points.back());
       }
     }
-    return Judge({ .layer = layer, .value = value }, size, points);
+    return Classify({ .layer = layer, .value = value }, size, points);
   }
 
   /// Whether a pixel has lines: not where it is proven to have none.
   [[nodiscard]] bool HasLines(const glm::dvec2& at) const
   {
     const auto pixel =
-      static_cast<std::size_t>(std::floor(at.y + 0.5)) * static_cast<std::size_t>(TheFrame.width) +
+      static_cast<std::size_t>(std::floor(at.y + 0.5)) * static_cast<std::size_t>(frame_.width) +
       static_cast<std::size_t>(std::floor(at.x + 0.5));
     const auto verdict = static_cast<ContourVerdict>(Contours.Verdicts()[pixel]);
     return verdict == ContourVerdict::In || (OnUndecided && verdict == ContourVerdict::Undecided);
   }
 
   /// `points`: the first and the last one are a contour's ends.
-  [[nodiscard]] std::optional<Candidate> Judge(
+  [[nodiscard]] std::optional<Candidate> Classify(
     ContourPlace place, const LabelSize& size, std::span<const glm::dvec2> points) const
   {
     glm::dvec2 along = glm::normalize(points.back() - points.front());
@@ -185,12 +185,11 @@ private:
     const double x = 0.5 * (size.width * std::fabs(along.x) + size.height * std::fabs(along.y));
     const double y = 0.5 * (size.width * std::fabs(along.y) + size.height * std::fabs(along.x));
     const bool inside = place.centre.x - x > kBorder && place.centre.y - y > kBorder &&
-      place.centre.x + x < TheFrame.width - kBorder &&
-      place.centre.y + y < TheFrame.height - kBorder;
+      place.centre.x + x < frame_.width - kBorder && place.centre.y + y < frame_.height - kBorder;
     return inside ? std::optional(Candidate{ place, highest - lowest }) : std::nullopt;
   }
 
-  const Frame& TheFrame;
+  const Frame& frame_;
   const ContourCertifier& Contours;
   const std::vector<std::vector<LabelSize>>& Sizes;
   bool OnUndecided;

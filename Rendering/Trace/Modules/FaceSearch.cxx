@@ -16,7 +16,7 @@ namespace pixelexact
 namespace
 {
 /// Steps of a search, those halved where the surface ends among them.
-constexpr int kMostSteps = 8;
+constexpr int kMaxSteps = 8;
 /// A search that has not settled is taken where it last moved by no more, in pixels.
 constexpr double kNearlySettled = 0.05;
 constexpr int kNewtonSteps = 2;
@@ -171,7 +171,7 @@ void FaceSearch::Advance(double distance, double reach)
 void Follow(std::span<FaceSearch> searches, const TileVisit& tile, double reach)
 {
   const auto layers = static_cast<int>(tile.GetScene().layers.size());
-  for (int step = 0; step < kMostSteps; ++step)
+  for (int step = 0; step < kMaxSteps; ++step)
   {
     for (int layer = 0; layer < layers; ++layer)
     {

@@ -58,10 +58,10 @@ std::uint8_t ByteOf(double channel)
 /// Some samples of one material, coordinate by coordinate.
 struct Some
 {
-  static constexpr std::size_t kMost = 64;
-  using Column = std::array<double, kMost + kLanePadding>;
+  static constexpr std::size_t kMax = 64;
+  using Column = std::array<double, kMax + kLanePadding>;
 
-  std::array<std::size_t, kMost> number;
+  std::array<std::size_t, kMax> number;
   std::array<Column, 3> position;
   std::array<Column, 3> normal;
   std::array<Column, 3> color;
@@ -158,7 +158,7 @@ void Lighting::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end)
       PaintOne(*material, samples, i);
       continue;
     }
-    if (some.count == Some::kMost || common != &*material)
+    if (some.count == Some::kMax || common != &*material)
     {
       flush();
       common = &*material;

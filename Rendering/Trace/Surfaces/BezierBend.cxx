@@ -20,7 +20,7 @@ constexpr double kBeyond = 1.0 / 32.0;
 /// By how much a path may leave the patch, in u and v: far less than would be seen, and more than
 /// rounding makes of an edge along its end.
 constexpr double kBeside = 1e-10;
-constexpr std::size_t kMostPoints = 17;
+constexpr std::size_t kMaxPoints = 17;
 
 /// Control points of rows and columns.
 struct Net
@@ -93,12 +93,12 @@ Net Differences(Net net, int d)
 /// Bernstein polynomials of degree n and their first two derivatives.
 struct Bernstein
 {
-  std::array<double, kMostPoints> of[3]{};
+  std::array<double, kMaxPoints> of[3]{};
 
   Bernstein(int n, double s)
   {
     // Of degrees n - 2, n - 1, n.
-    std::array<double, kMostPoints> b{};
+    std::array<double, kMaxPoints> b{};
     b[0] = 1.0;
     for (int degree = 0; degree <= n; ++degree)
     {

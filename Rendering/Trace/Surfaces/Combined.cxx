@@ -32,7 +32,7 @@ struct CombinedScratch
 };
 
 /// Near one chord: all orders in which they may be crossed are gone through.
-constexpr std::size_t kMostCrossed = 4;
+constexpr std::size_t kMaxCrossed = 4;
 
 /// What the part's own hit tells.
 SurfacePoint OfPart(const SurfacePoint& point)
@@ -45,12 +45,12 @@ SurfacePoint OfPart(const SurfacePoint& point)
 /// Whether no point of a surface is within `beside` of a straight line: by balls along it, the
 /// smaller the nearer the surface is.
 bool IsClearAlong(
-  const Surface& surface, const Vec3& from, const Vec3& to, double beside, int halvings = 5)
+  const Surface& surface, const Vec3& from, const Vec3& to, double beside, int subdivisions = 5)
 {
   const Vec3 middle = 0.5 * from + 0.5 * to;
   return surface.IsClearOf(middle, 0.5 * glm::distance(from, to) + beside) ||
-    (halvings > 0 && IsClearAlong(surface, from, middle, beside, halvings - 1) &&
-      IsClearAlong(surface, middle, to, beside, halvings - 1));
+    (subdivisions > 0 && IsClearAlong(surface, from, middle, beside, subdivisions - 1) &&
+      IsClearAlong(surface, middle, to, beside, subdivisions - 1));
 }
 
 /// Of a piece of a ray without end, a point that lies on it.
@@ -230,7 +230,7 @@ bool Combined::ChangesOnce(
       }
     }
   }
-  if (crossed.empty() || crossed.size() > kMostCrossed)
+  if (crossed.empty() || crossed.size() > kMaxCrossed)
   {
     return false;
   }

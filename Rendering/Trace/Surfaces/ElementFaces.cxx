@@ -47,7 +47,7 @@ std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const ElementFace
 
 ElementFaces::ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces)
   : CurvedSurface({ index.GetMesh() }, PartsOf(index.GetMesh(), faces), BoxesOf(index, faces))
-  , TheFaces(faces.begin(), faces.end())
+  , faces_(faces.begin(), faces.end())
   , Chords(index, Equation(), AllParts())
 {
 }

@@ -25,12 +25,12 @@ public:
   ElementFaces(
     const Locator& locator, std::span<const ElementFace> faces, std::vector<bool> partly);
 
-  [[nodiscard]] const std::vector<ElementFace>& Faces() const { return TheFaces; }
+  [[nodiscard]] const std::vector<ElementFace>& Faces() const { return faces_; }
 
   [[nodiscard]] bool IsOfMesh() const override { return true; }
   [[nodiscard]] int FaceOf(std::int32_t piece) const override
   {
-    return TheFaces[static_cast<std::size_t>(piece)].face;
+    return faces_[static_cast<std::size_t>(piece)].face;
   }
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
@@ -56,7 +56,7 @@ private:
 
   const Locator* Behind = nullptr; ///< null: all faces count as they are
   std::vector<bool> Partly;
-  std::vector<ElementFace> TheFaces;
+  std::vector<ElementFace> faces_;
   PartSagitta Chords;
 };
 } // namespace pixelexact

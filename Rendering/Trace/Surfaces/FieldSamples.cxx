@@ -79,7 +79,7 @@ void FieldSamples::AddPlaces(const Segment& segment, std::vector<double>& places
   index.FindAlong(segment, elements);
   const Vec3 way = segment.to - segment.from;
   const auto number = static_cast<int>(elements.size());
-  const int steps = std::max(kOfElement, SearchedSurface::kUsualSamples / std::max(number, 1));
+  const int steps = std::max(kOfElement, SearchedSurface::kDefaultSamples / std::max(number, 1));
   for (const int element : elements)
   {
     const auto part = ClipRay(index.ElementBox(element), segment.from, way, 0.0, 1.0);

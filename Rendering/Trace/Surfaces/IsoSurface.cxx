@@ -87,7 +87,7 @@ IsoSurface::IsoSurface(
 IsoSurface::IsoSurface(
   const ElementIndex& index, const CurvedEquation& equation, const Elements& elements)
   : CurvedSurface(equation, elements.parts, elements.boxes)
-  , TheField(*equation.field)
+  , field_(*equation.field)
   , Chords(index, equation, elements.parts)
 {
 }
@@ -95,18 +95,18 @@ IsoSurface::IsoSurface(
 std::optional<double> IsoSurface::HeldValue(const Field& field, int component) const
 {
   const bool isOwn =
-    &field == &TheField && (field.values.components == 1 || component == Equation().component);
+    &field == &field_ && (field.values.components == 1 || component == Equation().component);
   return isOwn ? std::optional(Equation().value) : std::nullopt;
 }
 
 void IsoSurface::NormalsOf(
   std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {
-  const auto components = static_cast<std::size_t>(TheField.values.components);
+  const auto components = static_cast<std::size_t>(field_.values.components);
   const bool squares = Equation().component == kMagnitude;
   std::vector<double> values(components * xi.size());
   std::vector<double> gradients(3 * values.size());
-  EvaluateAt(Equation().mesh, TheField, PartOf(part).element, xi, values, gradients);
+  EvaluateAt(Equation().mesh, field_, PartOf(part).element, xi, values, gradients);
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     Vec3 normal(0.0);

@@ -51,7 +51,7 @@ private:
   struct Elements;
   IsoSurface(const ElementIndex& index, const CurvedEquation& equation, const Elements& elements);
 
-  const Field& TheField;
+  const Field& field_;
   PartSagitta Chords;
 };
 } // namespace pixelexact

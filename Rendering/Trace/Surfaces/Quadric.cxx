@@ -320,7 +320,7 @@ Quadric MakeQuadric(const std::array<double, 10>& a, const AffineMap& toFunction
     }
     largest = std::max(largest, std::fabs(number));
   }
-  // Halves of the largest and the smallest numbers, too, are exact.
+  // Children of the largest and the smallest numbers, too, are exact.
   const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;
   const auto scaled = [&](std::size_t i, int more) {
     return DoublePair{ std::ldexp(a[i], -exponent - more), 0.0 };

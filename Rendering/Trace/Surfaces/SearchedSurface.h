@@ -40,11 +40,11 @@ public:
 class SearchedSurface final : public Surface
 {
 public:
-  static constexpr int kUsualSamples = 128;
+  static constexpr int kDefaultSamples = 128;
 
   /// Throws Error for a box that is empty or not finite, and for fewer than 2 samples.
   SearchedSurface(
-    std::shared_ptr<const SampledFunction> f, const Box3& box, int samples = kUsualSamples);
+    std::shared_ptr<const SampledFunction> f, const Box3& box, int samples = kDefaultSamples);
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   /// Along the gradient; zero where there is none.

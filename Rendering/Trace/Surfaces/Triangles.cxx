@@ -206,12 +206,12 @@ Triangles::Triangles(std::vector<Triangle> triangles)
     }
   }
   double sum = 0.0;
-  TheBounds = { All[0][0], All[0][0] };
+  bounds_ = { All[0][0], All[0][0] };
   for (const Triangle& one : All)
   {
     for (const Vec3& x : one)
     {
-      TheBounds = { glm::min(TheBounds.lower, x), glm::max(TheBounds.upper, x) };
+      bounds_ = { glm::min(bounds_.lower, x), glm::max(bounds_.upper, x) };
     }
     sum += std::max(LargestOf(one[1] - one[0]), LargestOf(one[2] - one[0]));
   }
@@ -252,8 +252,8 @@ void Triangles::MeetBeam(
   const TriangleKernels& kernels = GetTriangleKernels();
   for (unsigned ways = GetBundleKernels().ways(rays, first, count); ways != 0; ways &= ways - 1)
   {
-    beam.bundle.Begin(rays, first, count, std::countr_zero(ways), TheBounds);
-    const RaySet all = GetPieceKernels().meetBox(beam.bundle, TheBounds, RaySet::First(count));
+    beam.bundle.Begin(rays, first, count, std::countr_zero(ways), bounds_);
+    const RaySet all = GetPieceKernels().meetBox(beam.bundle, bounds_, RaySet::First(count));
     const auto meet = [&](int k, const RaySet& near)
     {
       const auto i = static_cast<std::size_t>(k);
@@ -274,7 +274,7 @@ void Triangles::MeetBeam(
         const auto vector = [i](const double* const(&x)[3])
         { return Vec3(x[0][i], x[1][i], x[2][i]); };
         const auto segment = ClipRay(
-          TheBounds, vector(rays.origin), vector(rays.direction), rays.tNear[i], rays.tFar[i]);
+          bounds_, vector(rays.origin), vector(rays.direction), rays.tNear[i], rays.tFar[i]);
         if (segment)
         {
           ForRays().QueryAlong(*segment, beam.near);
@@ -315,7 +315,7 @@ const BundleHierarchy& Triangles::ForBeams() const
 
 const Bvh& Triangles::ForRays() const
 {
-  return Single.Get(0, [this] { return std::make_unique<const Bvh>(Boxes(), TheBounds); });
+  return Single.Get(0, [this] { return std::make_unique<const Bvh>(Boxes(), bounds_); });
 }
 
 Vec3 Triangles::Normal(const SurfacePoint& point) const

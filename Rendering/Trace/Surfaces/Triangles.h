@@ -43,7 +43,7 @@ public:
   [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
 
   [[nodiscard]] const std::vector<Triangle>& Corners() const { return All; }
-  [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
+  [[nodiscard]] const Box3& Bounds() const { return bounds_; }
 
 private:
   struct Beam;
@@ -63,7 +63,7 @@ private:
 
   std::vector<Triangle> All;
   std::vector<Vec3> NormalOfEach;
-  Box3 TheBounds;
+  Box3 bounds_;
   MadeOnDemand<BundleHierarchy> Together{ 1 };
   MadeOnDemand<Bvh> Single{ 1 };
   double Extent = 0.0; ///< of a triangle, the mean

@@ -18,7 +18,7 @@ namespace pixelexact
 namespace
 {
 /// Triangles between two hits; of more, chords are halved.
-constexpr int kMostTriangles = 32;
+constexpr int kMaxTriangles = 32;
 
 /// Where an edge crosses the rays' plane.
 struct EdgeCrossing
@@ -109,7 +109,7 @@ double Triangles::Sagitta(
   for (int crossed = 0; piece != atB.piece; ++crossed)
   {
     const auto out = WayOut(plane, All[static_cast<std::size_t>(piece)], at);
-    if (!out || crossed == kMostTriangles)
+    if (!out || crossed == kMaxTriangles)
     {
       return kInfinity;
     }

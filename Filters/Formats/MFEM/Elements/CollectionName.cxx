@@ -135,7 +135,7 @@ void RefuseOtherCollections(const std::string& text)
 
 constexpr std::string_view kBasisLetters = "gGPuUoSci";
 /// Numbers in names have at most so many digits.
-constexpr int kMostDigits = 4;
+constexpr int kMaxDigits = 4;
 
 [[noreturn]] void RejectName(const std::string& text)
 {
@@ -176,7 +176,7 @@ public:
   {
     int number = 0;
     int digits = 0;
-    while (!Rest.empty() && Rest.front() >= '0' && Rest.front() <= '9' && digits < kMostDigits)
+    while (!Rest.empty() && Rest.front() >= '0' && Rest.front() <= '9' && digits < kMaxDigits)
     {
       number = 10 * number + (Rest.front() - '0');
       Rest.remove_prefix(1);

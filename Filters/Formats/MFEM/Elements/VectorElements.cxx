@@ -72,7 +72,7 @@ ElementBasis Dense(const Space& target, const VectorSpace& space,
 
 /// The legacy elements of lowest order take the flux through a triangle for the unknown, the others
 /// twice that.
-void HalveTriangles(const CollectionName& name, Geometry solid, std::vector<VectorUnknown>& all)
+void SubdivideTriangles(const CollectionName& name, Geometry solid, std::vector<VectorUnknown>& all)
 {
   if (!name.legacy || name.continuity != Continuity::HDiv)
   {
@@ -253,7 +253,7 @@ ElementBasis VectorBasis(const CollectionName& name, Geometry solid)
     return SquareVectorBasis(name);
   }
   auto unknowns = VectorUnknowns(name, solid);
-  HalveTriangles(name, solid, unknowns);
+  SubdivideTriangles(name, solid, unknowns);
   return solid == Geometry::Prism ? PrismVectors(name, unknowns)
                                   : ByUnknowns(name, solid, unknowns);
 }

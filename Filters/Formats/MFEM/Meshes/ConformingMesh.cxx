@@ -11,7 +11,7 @@ namespace pixelexact::mfem
 namespace
 {
 constexpr std::size_t kShortestCell = 6; ///< "1 1 0 1" at a line's end
-constexpr int kMostVertices = 1 << 30;
+constexpr int kMaxVertices = 1 << 30;
 
 /// Words of a section that comes before the vertices.
 struct Sections
@@ -30,7 +30,7 @@ std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, int dimensio
   cells.reserve(count);
   for (int i = 0; i < count; ++i)
   {
-    cells.push_back(ReadCell(scanner, kMostVertices, dimension));
+    cells.push_back(ReadCell(scanner, kMaxVertices, dimension));
   }
   return cells;
 }
@@ -70,7 +70,7 @@ void SkipTree(TextScanner& scanner, std::string_view section)
 
 void ReadVertices(TextScanner& scanner, MeshFile& mesh)
 {
-  mesh.vertices = scanner.Integer("the number of vertices", 0, kMostVertices);
+  mesh.vertices = scanner.Integer("the number of vertices", 0, kMaxVertices);
   if (scanner.Peek() == "nodes")
   {
     return;
@@ -91,7 +91,7 @@ std::set<int> ReadSharing(TextScanner& scanner)
     const int size = scanner.Count("the size of a group", 2);
     for (int k = 0; k < size; ++k)
     {
-      processes.insert(scanner.Integer("a process", 0, kMostVertices));
+      processes.insert(scanner.Integer("a process", 0, kMaxVertices));
     }
   }
   while (!scanner.Peek().empty() && scanner.Peek() != "mfem_mesh_end")

@@ -12,8 +12,8 @@ namespace pixelexact::mfem
 namespace
 {
 /// A line of text may ask for any number; examples have thousands.
-constexpr double kMostElements = 1e6;
-constexpr int kMostAlongSide = 1 << 20;
+constexpr double kMaxElements = 1e6;
+constexpr int kMaxAlongSide = 1 << 20;
 
 /// How a cell of the box is made of elements: by its corners, in MFEM's order, and its centre (8).
 struct Split
@@ -103,7 +103,7 @@ double Positive(TextScanner& scanner, std::map<std::string, std::string>& entrie
   double number = 0.0;
   if (text.empty() || !one.TryNumber(number) || !one.Peek().empty() || !(number > 0.0) ||
     !(number < 1e300) ||
-    (isWhole && (number > kMostAlongSide || number != static_cast<int>(number))))
+    (isWhole && (number > kMaxAlongSide || number != static_cast<int>(number))))
   {
     scanner.Fail("the entry '" + name + "' of the INLINE mesh is no positive " +
       (isWhole ? "whole number: '" : "number: '") + text.substr(0, 40) + "'.");
@@ -139,7 +139,7 @@ Box ReadBox(TextScanner& scanner)
     box.sides[d] = Positive(scanner, entries, std::string("s") + axis, false);
     elements *= box.cells[d];
   }
-  if (elements > kMostElements)
+  if (elements > kMaxElements)
   {
     scanner.FailUnsupported(
       "the INLINE mesh has more than a million elements; save it as a mesh (Mesh::Save).");

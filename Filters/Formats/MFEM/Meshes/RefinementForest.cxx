@@ -12,7 +12,7 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr int kMostNodes = 1 << 30;
+constexpr int kMaxNodes = 1 << 30;
 
 /// The vertices ("nodes") of a refined mesh: those of the coarsest level have coordinates, others
 /// lie on the line between two parents.
@@ -39,17 +39,17 @@ private:
   std::unordered_map<int, std::array<double, 3>> Known;
 };
 
-constexpr int kMostGenerations = 64;
+constexpr int kMaxGenerations = 64;
 
 void VertexHierarchy::ReadParents(TextScanner& scanner, bool scaled)
 {
   const int count = scanner.Count("the number of vertices with parents", 4);
   for (int i = 0; i < count; ++i)
   {
-    const int node = scanner.Integer("a vertex", 0, kMostNodes);
+    const int node = scanner.Integer("a vertex", 0, kMaxNodes);
     Parents parents;
-    parents.first = scanner.Integer("a parent", 0, kMostNodes);
-    parents.second = scanner.Integer("a parent", 0, kMostNodes);
+    parents.first = scanner.Integer("a parent", 0, kMaxNodes);
+    parents.second = scanner.Integer("a parent", 0, kMaxNodes);
     if (scaled)
     {
       parents.share = scanner.Number("a vertex' place between its parents");
@@ -74,10 +74,10 @@ std::array<double, 3> VertexHierarchy::Position(TextScanner& scanner, int node, 
   {
     return known->second;
   }
-  if (generation > kMostGenerations)
+  if (generation > kMaxGenerations)
   {
     scanner.Fail("vertex " + std::to_string(node) + " has more than " +
-      std::to_string(kMostGenerations) + " generations of parents; the file is damaged.");
+      std::to_string(kMaxGenerations) + " generations of parents; the file is damaged.");
   }
   std::array<double, 3> x{};
   const auto parents = ParentsOf.find(node);
@@ -194,7 +194,7 @@ void Forest::ReadElement(int index, int count)
   Mesh.ranks = std::max({ Mesh.ranks, Rank + 1, element.rank + 1 });
   for (int& node : std::span(element.cell.vertices).first(TableOf(element.cell.geometry).vertices))
   {
-    node = Scanner.Integer("a vertex", 0, kMostNodes);
+    node = Scanner.Integer("a vertex", 0, kMaxNodes);
   }
 }
 
@@ -203,7 +203,7 @@ void Forest::ReadBoundary()
   const int count = Scanner.Count("the number of boundary elements", kShortestElement);
   for (int i = 0; i < count; ++i)
   {
-    const Cell cell = ReadCell(Scanner, kMostNodes, Mesh.dimension - 1);
+    const Cell cell = ReadCell(Scanner, kMaxNodes, Mesh.dimension - 1);
     BoundaryAttribute[Sorted(std::span(cell.vertices).first(TableOf(cell.geometry).vertices))] =
       cell.attribute;
   }

@@ -69,7 +69,7 @@ std::vector<HilbertState> MakeStates()
   return states;
 }
 
-constexpr int kDeepestTree = 64;
+constexpr int kMaxTreeDepth = 64;
 
 class LeafWalk
 {
@@ -94,9 +94,9 @@ private:
 void LeafWalk::Visit(int element, int state, int depth)
 {
   const TreeElement& e = Elements[element];
-  if (depth > kDeepestTree)
+  if (depth > kMaxTreeDepth)
   {
-    Scanner.Fail("the refinement tree is deeper than " + std::to_string(kDeepestTree) +
+    Scanner.Fail("the refinement tree is deeper than " + std::to_string(kMaxTreeDepth) +
       " levels; it is damaged.");
   }
   if (e.refinement == 0)

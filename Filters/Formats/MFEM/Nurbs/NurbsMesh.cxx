@@ -212,9 +212,9 @@ void RequireNodes(TextScanner& scanner, const NurbsMesh& nurbs, const GridFuncti
 {
   const std::int64_t size = ControlPoints(nurbs).Size();
   const auto values = static_cast<std::int64_t>(nodes.values.size());
-  const std::int64_t most = nurbs.masters.empty() ? values : kMostIdentified * values;
+  const std::int64_t most = nurbs.masters.empty() ? values : kMaxIdentified * values;
   const auto weights = static_cast<std::int64_t>(nurbs.weights.size());
-  if (size > std::min(std::max(most, weights), kMostControlPoints))
+  if (size > std::min(std::max(most, weights), kMaxControlPoints))
   {
     scanner.Fail("the nodes hold " + std::to_string(values) +
       " values, but the knot vectors have " + std::to_string(size) +

@@ -7,9 +7,9 @@
 namespace pixelexact::mfem
 {
 /// MFEM's own limit of indices.
-inline constexpr std::int64_t kMostControlPoints = 1 << 30;
+inline constexpr std::int64_t kMaxControlPoints = 1 << 30;
 /// At most so many control points become one where boundaries are identified in all directions.
-inline constexpr std::int64_t kMostIdentified = 8;
+inline constexpr std::int64_t kMaxIdentified = 8;
 
 /// What a NURBS mesh's file holds beside its nodes.
 struct NurbsMesh

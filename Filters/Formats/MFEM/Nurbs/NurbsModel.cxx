@@ -21,13 +21,13 @@ namespace
 {
 /// Orders above this make a span of the map be divided. Two parts with the order that suffices for
 /// each cost a ray less than one with the order that both need.
-constexpr int kMostMapOrder = 12;
+constexpr int kMaxMapOrder = 12;
 /// Where that would make too many parts.
 constexpr int kHighMapOrder = 18;
 /// Fields live on the map's parts. Two orders more tell whether this is enough.
-constexpr int kMostFieldOrder = kMaxOrder - 2;
+constexpr int kMaxFieldOrder = kMaxOrder - 2;
 /// A field that loses more than this of its range is refused.
-constexpr double kMostFieldLoss = 1e-9;
+constexpr double kMaxFieldLoss = 1e-9;
 
 std::string Text(double number)
 {
@@ -119,10 +119,10 @@ NurbsModel::NurbsModel(
       throw InvalidData(Name + ": the mesh's nodes are no positions: they need VDim " +
         (File.dimension == 2 ? "2 or 3." : "3."));
     }
-    if (!Divide(*Map, kMostMapOrder) && !Divide(*Map, kHighMapOrder))
+    if (!Divide(*Map, kMaxMapOrder) && !Divide(*Map, kHighMapOrder))
     {
       throw Unsupported(Name + ": the weights of a knot span differ so much that polynomials on " +
-        std::to_string(kMostParts) +
+        std::to_string(kMaxParts) +
         " parts of it do not come near its map; refit it with weights that are more alike.");
     }
   }
@@ -273,13 +273,12 @@ void NurbsModel::AddField(std::span<const GridFunctionFile> files,
   const std::string& where = names.front();
   const Function function = FunctionOf(files, names);
   const double range = RangeOf(function.data.values, function.components);
-  const Bases bases =
-    BasesOf(function, kMostFieldOrder, [&](std::size_t) { return kLoss * range; });
+  const Bases bases = BasesOf(function, kMaxFieldOrder, [&](std::size_t) { return kLoss * range; });
   const double loss = *std::ranges::max_element(bases.loss);
-  if (loss > kMostFieldLoss * range)
+  if (loss > kMaxFieldLoss * range)
   {
     throw Unsupported(where + ": its weights differ so much that polynomials of order " +
-      std::to_string(kMostFieldOrder) +
+      std::to_string(kMaxFieldOrder) +
       " do not come near it; refit it with weights that are more alike, or with those of the "
       "mesh.");
   }

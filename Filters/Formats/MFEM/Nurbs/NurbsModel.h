@@ -19,7 +19,7 @@ public:
   /// orders or the parts would be too many; notes tell what they do lose.
   static constexpr double kLoss = 1e-14;
   /// Of a knot span, in all.
-  static constexpr int kMostParts = 64;
+  static constexpr int kMaxParts = 64;
 
   /// Divides knot spans as NURBS nodes need it, which are of the file or, one by one, of its
   /// pieces; none where the nodes are others. `names`: of the file or its pieces. The file outlives
@@ -63,7 +63,7 @@ private:
   Bases BasesOf(
     const Function& function, int most, const std::function<double(std::size_t)>& target);
 
-  /// Halves spans until each part needs no order above `most`. False: there are too many parts.
+  /// Children spans until each part needs no order above `most`. False: there are too many parts.
   bool Divide(const Function& function, int most);
   /// Into how many parts a span is divided at most.
   [[nodiscard]] int MostPartsOfSpan() const;

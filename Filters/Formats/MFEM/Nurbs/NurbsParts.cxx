@@ -107,7 +107,7 @@ bool NurbsModel::Divide(const Function& function, int most)
       return true;
     }
     PartsOfSpan = std::move(divided);
-    if (MostPartsOfSpan() > kMostParts)
+    if (MostPartsOfSpan() > kMaxParts)
     {
       return false;
     }

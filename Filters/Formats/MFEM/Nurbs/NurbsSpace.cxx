@@ -82,7 +82,7 @@ NurbsSpace::NurbsSpace(const NurbsMesh& mesh, const GridFunctionFile& file)
   const PatchNumbering numbering(mesh.topology, CountsOf(Vectors));
   Points = numbering.Size();
   const auto values = static_cast<std::int64_t>(file.values.size());
-  if (Points > std::min(kMostControlPoints, kMostIdentified * (values + 1)))
+  if (Points > std::min(kMaxControlPoints, kMaxIdentified * (values + 1)))
   {
     throw InvalidData("the space has " + std::to_string(Points) +
       " control points, but there are " + std::to_string(values) +

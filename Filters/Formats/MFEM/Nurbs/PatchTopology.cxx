@@ -154,7 +154,7 @@ void OrientKnotVectors(const TextScanner& scanner, PatchTopology& topology)
   }
 }
 
-constexpr int kMostVertices = 1 << 30;
+constexpr int kMaxVertices = 1 << 30;
 constexpr std::size_t kShortestCell = 8;
 constexpr int kNone = -1;
 
@@ -170,7 +170,7 @@ std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, Geometry geo
   std::vector<Cell> cells;
   for (int i = 0; i < count; ++i)
   {
-    const Cell& cell = cells.emplace_back(ReadCell(scanner, kMostVertices, dimension));
+    const Cell& cell = cells.emplace_back(ReadCell(scanner, kMaxVertices, dimension));
     if (cell.geometry != geometry)
     {
       scanner.Fail("a patch of a NURBS mesh, or a side of one, is no segment, square or cube.");
@@ -221,9 +221,9 @@ void ReadEdges(TextScanner& scanner, PatchTopology& topology)
   const int count = scanner.Count("the number of edges", 6);
   for (int i = 0; i < count; ++i)
   {
-    const int number = scanner.Integer("an edge's knot vector", -kMostVertices, kMostVertices);
-    const int a = scanner.Integer("a vertex", 0, kMostVertices);
-    const int b = scanner.Integer("a vertex", 0, kMostVertices);
+    const int number = scanner.Integer("an edge's knot vector", -kMaxVertices, kMaxVertices);
+    const int a = scanner.Integer("a vertex", 0, kMaxVertices);
+    const int b = scanner.Integer("a vertex", 0, kMaxVertices);
     const int vector = number < 0 ? -1 - number : number;
     if (vector >= count)
     {
@@ -337,7 +337,7 @@ PatchTopology ReadPatchTopology(TextScanner& scanner)
     scanner, "the number of boundary patches", isSolid ? Geometry::Square : Geometry::Segment);
   ReadEdges(scanner, topology);
   scanner.Expect("vertices");
-  topology.vertices = scanner.Integer("the number of vertices", 0, kMostVertices);
+  topology.vertices = scanner.Integer("the number of vertices", 0, kMaxVertices);
   for (const auto* cells : { &topology.patches, &topology.boundary })
   {
     for (const Cell& cell : *cells)

@@ -10,8 +10,8 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr std::size_t kUsualBytes = 16;
-constexpr int kMostComponents = 1 << 16;
+constexpr std::size_t kDefaultBytes = 16;
+constexpr int kMaxComponents = 1 << 16;
 
 std::vector<double> ReadNumbers(TextScanner& scanner)
 {
@@ -121,7 +121,7 @@ GridFunctionFile ReadAnyGridFunction(TextScanner& scanner)
   scanner.Expect("FiniteElementCollection:");
   file.collection = scanner.RestOfLine();
   scanner.Expect("VDim:");
-  file.components = scanner.Integer("the number of components (VDim)", 1, kMostComponents);
+  file.components = scanner.Integer("the number of components (VDim)", 1, kMaxComponents);
   scanner.Expect("Ordering:");
   file.byNodes = scanner.Integer("the ordering", 0, 1) == 0;
   if (hasSections)
@@ -140,7 +140,7 @@ GridFunctionFile ReadAnyGridFunction(TextScanner& scanner)
     }
   }
   // A number takes some 20 bytes, or, where it is short, the list grows as it goes.
-  file.values.reserve(scanner.Remaining() / kUsualBytes);
+  file.values.reserve(scanner.Remaining() / kDefaultBytes);
   double value = 0.0;
   while (scanner.TryNumber(value))
   {

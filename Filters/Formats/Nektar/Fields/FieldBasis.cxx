@@ -14,7 +14,7 @@ namespace pixelexact::nektar
 namespace
 {
 /// Dense changes of basis beyond this take minutes.
-constexpr int kMostDenseModes = 2000;
+constexpr int kMaxDenseModes = 2000;
 
 LineFunctions LineOf(const std::string& family, int count)
 {
@@ -144,10 +144,10 @@ ChangeOfBasis ChangeInto(Shape shape, const std::array<int, 3>& order, int funct
 {
   Space space{ shape, Form::Collapsed, {} };
   std::ranges::copy(order, space.order.begin());
-  if (space.Modes() > kMostDenseModes)
+  if (space.Modes() > kMaxDenseModes)
   {
     throw Unsupported("elements of " + std::to_string(space.Modes()) +
-      " modes are not read; up to " + std::to_string(kMostDenseModes) + " are.");
+      " modes are not read; up to " + std::to_string(kMaxDenseModes) + " are.");
   }
   if (shape != Shape::Pyramid)
   {

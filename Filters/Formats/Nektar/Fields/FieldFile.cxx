@@ -29,7 +29,7 @@ double* MapPages(std::size_t bytes)
 }
 
 /// An element has one value at least; ids alone are not in proportion to anything.
-constexpr std::size_t kMostElements = std::size_t{ 1 } << 28U;
+constexpr std::size_t kMaxElements = std::size_t{ 1 } << 28U;
 
 /// The directions of xi that the file tells of, in its order.
 std::vector<std::size_t> DirectionsOf(std::string_view shape)
@@ -107,7 +107,7 @@ public:
     {
       Base.families[Directions[d]] = families[d];
     }
-    const auto ids = File.List(Node, Node.attribute("ID").value(), kMostElements);
+    const auto ids = File.List(Node, Node.attribute("ID").value(), kMaxElements);
     const bool compressed = File.IsCompressedField(Node);
     ReadOrders(ids);
     const std::size_t expected = Block.perField * Block.fields.size();

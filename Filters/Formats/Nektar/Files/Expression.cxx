@@ -109,7 +109,7 @@ namespace peg = tao::pegtl;
 
 /// Bounds of the parser's time and of its recursion.
 constexpr std::size_t kLongest = 256;
-constexpr int kDeepest = 32;
+constexpr int kMaxDepth = 32;
 
 struct State
 {
@@ -352,10 +352,10 @@ void CheckSize(std::string_view text)
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
     deepest = std::max(deepest, depth);
   }
-  if (text.size() > kLongest || deepest > kDeepest)
+  if (text.size() > kLongest || deepest > kMaxDepth)
   {
     throw InvalidData("it is longer than " + std::to_string(kLongest) +
-      " characters, or has more than " + std::to_string(kDeepest) +
+      " characters, or has more than " + std::to_string(kMaxDepth) +
       " parentheses within each other");
   }
 }

@@ -26,7 +26,7 @@ struct RepairedXml
 };
 
 constexpr auto kNone = std::string_view::npos;
-constexpr std::size_t kMostShown = 60;
+constexpr std::size_t kMaxShown = 60;
 
 /// Marks of XML that are copied as they stand, and what ends them.
 struct Mark
@@ -92,7 +92,7 @@ private:
   {
     const auto line = 1 + std::count(Text.begin(), what.begin(), '\n');
     Result.repairs.push_back("line " + std::to_string(line) + ": '" +
-      std::string(what.substr(0, std::min(kMostShown, what.find_first_of("\r\n")))) + "' " +
+      std::string(what.substr(0, std::min(kMaxShown, what.find_first_of("\r\n")))) + "' " +
       problem);
   }
 

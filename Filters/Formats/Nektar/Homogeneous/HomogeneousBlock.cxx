@@ -11,9 +11,9 @@ namespace pixelexact::nektar
 namespace
 {
 /// Functions along a direction; layers are in proportion to them.
-constexpr std::int64_t kMostFunctions = 1024;
+constexpr std::int64_t kMaxFunctions = 1024;
 /// Products of two directions' functions.
-constexpr std::size_t kMostLines = std::size_t{ 1 } << 16U;
+constexpr std::size_t kMaxLines = std::size_t{ 1 } << 16U;
 
 class HomogeneousReader
 {
@@ -110,11 +110,11 @@ private:
     std::vector<int> functions;
     for (const std::int64_t number : numbers)
     {
-      if (number >= kMostFunctions)
+      if (number >= kMaxFunctions)
       {
         File.Fail(Node,
           std::string(list) + " names the function " + std::to_string(number) + ", one above " +
-            std::to_string(kMostFunctions - 1) + ".");
+            std::to_string(kMaxFunctions - 1) + ".");
       }
       functions.push_back(static_cast<int>(number));
     }
@@ -127,7 +127,7 @@ private:
 
   std::vector<int> Distinct(const char* list, int fromEnd) const
   {
-    std::vector<int> functions = Numbers(list, fromEnd, kMostFunctions);
+    std::vector<int> functions = Numbers(list, fromEnd, kMaxFunctions);
     std::vector<int> sorted = functions;
     std::ranges::sort(sorted);
     if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
@@ -145,7 +145,7 @@ private:
     std::int64_t count = 0;
     if (words.size() <= static_cast<std::size_t>(fromEnd) ||
       !ParseWhole(words[words.size() - static_cast<std::size_t>(fromEnd)], count) || count < 1 ||
-      count > kMostFunctions)
+      count > kMaxFunctions)
     {
       File.Fail(Node, "NUMMODESPERDIR does not tell how many homogeneous functions there are.");
     }
@@ -162,15 +162,15 @@ private:
     {
       along.y->functions = Distinct("HOMOGENEOUSYIDS", 2);
       along.z.functions = Distinct("HOMOGENEOUSZIDS", 1);
-      if (along.Functions() > kMostLines)
+      if (along.Functions() > kMaxLines)
       {
         File.Fail(
-          Node, "there are more than " + std::to_string(kMostLines) + " homogeneous functions.");
+          Node, "there are more than " + std::to_string(kMaxLines) + " homogeneous functions.");
       }
       return;
     }
-    const auto ofY = Numbers("HOMOGENEOUSYIDS", 2, kMostLines);
-    const auto ofZ = Numbers("HOMOGENEOUSZIDS", 1, kMostLines);
+    const auto ofY = Numbers("HOMOGENEOUSYIDS", 2, kMaxLines);
+    const auto ofZ = Numbers("HOMOGENEOUSZIDS", 1, kMaxLines);
     const auto again = std::find(ofY.begin() + 1, ofY.end(), ofY.front());
     const auto run = static_cast<std::size_t>(again - ofY.begin());
     along.y->functions.assign(ofY.begin(), again);
@@ -199,9 +199,9 @@ private:
 
   void ReadStrip()
   {
-    constexpr std::int64_t kMostStrips = 1 << 16;
+    constexpr std::int64_t kMaxStrips = 1 << 16;
     const auto numbers = File.List(Node, Node.attribute("HOMOGENEOUSSIDS").value(), 2);
-    if (numbers.size() != 1 || numbers.front() >= kMostStrips)
+    if (numbers.size() != 1 || numbers.front() >= kMaxStrips)
     {
       File.Fail(Node, "HOMOGENEOUSSIDS should be the number of one strip, below 65536.");
     }

@@ -28,7 +28,7 @@ struct Group
 };
 
 /// The longer half stays; the upper one is returned.
-Group Halve(std::span<std::int32_t> order, std::span<const Box3> boxes, Group& group)
+Group Subdivide(std::span<std::int32_t> order, std::span<const Box3> boxes, Group& group)
 {
   const auto places =
     order.subspan(static_cast<std::size_t>(group.first), static_cast<std::size_t>(group.count));
@@ -51,11 +51,11 @@ Group Halve(std::span<std::int32_t> order, std::span<const Box3> boxes, Group& g
 
 BundleHierarchy::BundleHierarchy(std::span<const Box3> boxes)
   : Order(boxes.size())
-  , TheBounds(boxes.front())
+  , bounds_(boxes.front())
 {
   for (const Box3& box : boxes)
   {
-    TheBounds = { glm::min(TheBounds.lower, box.lower), glm::max(TheBounds.upper, box.upper) };
+    bounds_ = { glm::min(bounds_.lower, box.lower), glm::max(bounds_.upper, box.upper) };
   }
   std::iota(Order.begin(), Order.end(), 0);
   Build(boxes, 0, static_cast<int>(boxes.size()));
@@ -68,7 +68,7 @@ BundleHierarchy::BundleHierarchy(std::span<const Box3> boxes)
 
 std::int32_t BundleHierarchy::Build(std::span<const Box3> boxes, int first, int count)
 {
-  std::array<Group, EightBoxes::kMost> groups{ Group{ first, count } };
+  std::array<Group, EightBoxes::kMax> groups{ Group{ first, count } };
   std::size_t size = 1;
   while (size < groups.size())
   {
@@ -78,7 +78,7 @@ std::int32_t BundleHierarchy::Build(std::span<const Box3> boxes, int first, int 
     {
       break;
     }
-    groups[size++] = Halve(Order, boxes, *largest);
+    groups[size++] = Subdivide(Order, boxes, *largest);
   }
   const std::size_t at = Nodes.size();
   Nodes.emplace_back().boxes.count = static_cast<int>(size);
@@ -111,7 +111,7 @@ void BundleHierarchy::ForEach(
   std::size_t size = 0;
   const auto open = [&](const Node& node)
   {
-    std::array<double, EightBoxes::kMost> depth;
+    std::array<double, EightBoxes::kMax> depth;
     const std::size_t begin = size;
     for (unsigned met = bundle.MayMeet(node.boxes, depth); met != 0; met &= met - 1)
     {

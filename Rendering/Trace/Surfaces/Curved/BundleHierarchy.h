@@ -23,14 +23,14 @@ public:
   void ForEach(const RayBundle& bundle, const std::function<void(int, const Box3&)>& visit) const;
 
   /// Of all boxes.
-  [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
+  [[nodiscard]] const Box3& Bounds() const { return bounds_; }
 
 private:
   struct Node
   {
     EightBoxes boxes;
     /// Of each box: the number of its node; of one that is no node's, -1 - its place in Order.
-    std::array<std::int32_t, EightBoxes::kMost> below{};
+    std::array<std::int32_t, EightBoxes::kMax> below{};
   };
   /// Of the boxes at some places in Order: their node, which is added.
   std::int32_t Build(std::span<const Box3> boxes, int first, int count);
@@ -38,6 +38,6 @@ private:
   std::vector<Node> Nodes; ///< the first one is the root
   std::vector<std::int32_t> Order;
   std::vector<Box3> Boxes; ///< in that order
-  Box3 TheBounds;
+  Box3 bounds_;
 };
 } // namespace pixelexact

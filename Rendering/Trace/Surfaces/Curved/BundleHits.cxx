@@ -78,7 +78,7 @@ bool IsWithin(const RayLanes& rays, int ray, const CurvedHit& hit)
 void WriteFirst(const RayLanes& rays, int first, int count, const HitTerms& terms,
   std::span<const CurvedHit> found, HitSlots& hits)
 {
-  std::array<const CurvedHit*, RayBundle::kMost> nearest{};
+  std::array<const CurvedHit*, RayBundle::kMax> nearest{};
   for (const CurvedHit& hit : found)
   {
     const CurvedHit*& best = nearest[static_cast<std::size_t>(hit.ray)];
@@ -114,7 +114,7 @@ public:
       ++Ends[static_cast<std::size_t>(hit.ray) + 1];
     }
     std::partial_sum(Ends.begin(), Ends.end(), Ends.begin());
-    std::array<std::size_t, RayBundle::kMost + 1> next = Ends;
+    std::array<std::size_t, RayBundle::kMax + 1> next = Ends;
     for (const CurvedHit& hit : found)
     {
       Sorted[next[static_cast<std::size_t>(hit.ray)]++] = &hit;
@@ -134,7 +134,7 @@ public:
 
 private:
   std::vector<const CurvedHit*> Sorted;
-  std::array<std::size_t, RayBundle::kMost + 1> Ends{}; ///< of each ray's, from number 1 on
+  std::array<std::size_t, RayBundle::kMax + 1> Ends{}; ///< of each ray's, from number 1 on
 };
 
 void WriteAll(const RayLanes& rays, int first, int count, const HitTerms& terms,

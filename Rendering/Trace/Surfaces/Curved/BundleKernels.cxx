@@ -173,7 +173,7 @@ unsigned MeetBoxes(
   const Lanes z0 = Splat(frame.z0);
   const Lanes slack = Splat(ranges.mostSlack);
   unsigned missed = 0;
-  for (std::size_t i = 0; i < EightBoxes::kMost; i += static_cast<std::size_t>(LaneCount()))
+  for (std::size_t i = 0; i < EightBoxes::kMax; i += static_cast<std::size_t>(LaneCount()))
   {
     const auto load = [&](const auto& columns, std::size_t a) PIXELEXACT_INLINED
     { return NumberTraits<Lanes>::Load(&columns[static_cast<std::size_t>(frame.axes[a])][i]); };

@@ -51,9 +51,9 @@ struct BundleFrame
 /// Boxes that are asked about together, coordinate by coordinate.
 struct EightBoxes
 {
-  static constexpr std::size_t kMost = 8;
-  std::array<std::array<double, kMost>, 3> lower{};
-  std::array<std::array<double, kMost>, 3> upper{};
+  static constexpr std::size_t kMax = 8;
+  std::array<std::array<double, kMax>, 3> lower{};
+  std::array<std::array<double, kMax>, 3> upper{};
   int count = 0; ///< the others mean nothing
 
   void Set(std::size_t k, const Box3& box)
@@ -78,7 +78,7 @@ struct BundleKernels
   void (*describe)(const RayLanes& rays, int first, int count, const BundleFrame& frame,
     const BundleColumns& to, BundleRanges& ranges);
   /// Which of the boxes rays of a bundle may meet, a bit each, and how deep they begin, of each
-  /// (EightBoxes::kMost): RayBundle::MayMeet and DepthOf of one.
+  /// (EightBoxes::kMax): RayBundle::MayMeet and DepthOf of one.
   unsigned (*meetBoxes)(
     const BundleRanges& ranges, const BundleFrame& frame, const EightBoxes& boxes, double* depth);
 };

@@ -134,7 +134,7 @@ public:
     const Lanes all = near[0][0] + near[0][1] + near[0][2] + near[1][0] + near[1][1] + near[1][2] +
       near[2][0] + near[2][1] + near[2][2];
     const LaneMask isUnique =
-      And(And(isFinite, IsFinite(all)), LeastNorm(near) <= Splat(kMostUnique));
+      And(And(isFinite, IsFinite(all)), LeastNorm(near) <= Splat(kMaxUnique));
     const RootStart start = StartOf(Frame.shape, Piece, expected);
     const LaneMask pair = And(open, And(isUnique, start.isInside));
     AppendPairs(Pairs, pair, rays, Piece, start, side);

@@ -6,7 +6,7 @@
 #include "Core/Questions/EdgeWork.h"
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/BundleHits.h"
-#include "Trace/Surfaces/Curved/PieceReferee.h"
+#include "Trace/Surfaces/Curved/PieceFallback.h"
 
 #include <algorithm>
 #include <bit>
@@ -23,7 +23,7 @@ namespace
 constexpr int kShared[3] = { 12, 14, 14 };
 /// Pieces are halved this often where rays are nearly tangent to them, then the referee decides: of
 /// faces, and of volumes. It knows no magnitudes, which are halved until they are small.
-constexpr int kDeepest[3] = { 16, 21, 30 };
+constexpr int kMaxDepth[3] = { 16, 21, 30 };
 /// Plateaus are halved this often, from the largest piece that is one: those of a field, so that
 /// they are undecided for rays alone that pass next to them.
 constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
@@ -31,8 +31,8 @@ constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
 constexpr int kTogether = 8;
 /// Estimated, in nanoseconds: what a ray costs in the halves of a piece, beside the halves.
 constexpr std::int64_t kCostOfLook = 1500;
-/// Halves are kept for the rays beside this one. A ray pays this part of them, kept or not.
-constexpr std::int64_t kShareOfHalves = 4;
+/// Children are kept for the rays beside this one. A ray pays this part of them, kept or not.
+constexpr std::int64_t kShareOfChildren = 4;
 /// Rays and pieces, in lanes, that are solved before pieces further behind are looked at: of faces,
 /// and of volumes.
 constexpr int kAhead[3] = { 96, 40, 40 };
@@ -49,7 +49,7 @@ bool IsBehind(const OpenPiece& a, const OpenPiece& b)
   const auto key = [](const OpenPiece& one)
   {
     const Vec3& lower = one.piece->box.lower;
-    return std::tuple(one.depth, one.part, lower.x, lower.y, lower.z, one.piece->halvings);
+    return std::tuple(one.depth, one.part, lower.x, lower.y, lower.z, one.piece->subdivisions);
   };
   return key(a) > key(b);
 }
@@ -65,9 +65,9 @@ public:
     , Rays(rays)
     , Bundle(bundle)
     , Work(work)
-    , Kind(surface.TheEquation.field == nullptr         ? 0
-          : surface.TheEquation.component != kMagnitude ? 1
-                                                        : 2)
+    , Kind(surface.equation_.field == nullptr         ? 0
+          : surface.equation_.component != kMagnitude ? 1
+                                                      : 2)
     , All(RaySet::First(bundle.Count()))
   {
   }
@@ -107,7 +107,7 @@ private:
       return;
     }
     Enter(part, TreeOf(part));
-    PieceSolver solver(Of.TheEquation, *Which, *Tree, Bundle, Work);
+    PieceSolver solver(Of.equation_, *Which, *Tree, Bundle, Work);
     Work.unclear.clear();
     for (const auto& root : Tree->Roots())
     {
@@ -134,7 +134,7 @@ private:
     Part = part;
     Which = &Of.All[static_cast<std::size_t>(part)];
     Tree = &tree;
-    IsBlurred = AreBlurred(Bundle, Of.TheEquation.mesh, *Which);
+    IsBlurred = AreBlurred(Bundle, Of.equation_.mesh, *Which);
     Kept = Work.hits.size();
   }
 
@@ -144,7 +144,7 @@ private:
     if (Of.Trees.IfMade(static_cast<std::size_t>(part)) == nullptr && PartTree::AreFull())
     {
       OwnTrees.push_back(std::make_unique<const PartTree>(
-        Of.TheEquation, Of.All[static_cast<std::size_t>(part)], Of.ModesOf(part)));
+        Of.equation_, Of.All[static_cast<std::size_t>(part)], Of.ModesOf(part)));
       return *OwnTrees.back();
     }
     return Of.TreeOf(part);
@@ -195,7 +195,7 @@ private:
       return;
     }
     // Further down each ray is asked: a bundle may meet far more pieces than its rays do.
-    if (!piece.flat && piece.halvings < kTogether)
+    if (!piece.flat && piece.subdivisions < kTogether)
     {
       Deeper(solver, piece, rays);
       return;
@@ -220,13 +220,13 @@ private:
   [[nodiscard]] bool IsLast(const CurvedPiece& piece) const
   {
     return IsBlurred ||
-      (piece.plateau ? piece.halvings - piece.plateauFrom >= kDeepestPlateau[Kind]
-                     : piece.halvings >= kDeepest[Kind]);
+      (piece.plateau ? piece.subdivisions - piece.plateauFrom >= kDeepestPlateau[Kind]
+                     : piece.subdivisions >= kMaxDepth[Kind]);
   }
 
   void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
   {
-    if (piece.halvings >= kShared[Kind] || IsLast(piece))
+    if (piece.subdivisions >= kShared[Kind] || IsLast(piece))
     {
       rays.ForEach(
         [&](int ray) {
@@ -235,12 +235,12 @@ private:
         });
       return;
     }
-    const PieceHalves halves = Tree->Halves(piece);
-    if (halves.own)
+    const PieceChildren children = Tree->GetChildren(piece);
+    if (children.own)
     {
-      OwnPieces.push_back(halves.own);
+      OwnPieces.push_back(children.own);
     }
-    const auto& [lower, upper] = *halves.pieces;
+    const auto& [lower, upper] = *children.pieces;
     const bool inOrder = Bundle.DepthOf(lower.bounds) <= Bundle.DepthOf(upper.bounds);
     Descend(solver, inOrder ? lower : upper, rays);
     Descend(solver, inOrder ? upper : lower, rays);
@@ -289,14 +289,14 @@ private:
       if (!solver || one.part != Part)
       {
         Enter(one.part, *one.tree);
-        solver.emplace(Of.TheEquation, *Which, *Tree, Bundle, Work);
+        solver.emplace(Of.equation_, *Which, *Tree, Bundle, Work);
       }
       if (IsLast(*one.piece))
       {
-        FindHits({ Of.TheEquation, *Which, *Tree, Bundle, Rays }, *solver, one, work, Work.hits);
+        FindHits({ Of.equation_, *Which, *Tree, Bundle, Rays }, *solver, one, work, Work.hits);
         TakeHits();
       }
-      else if (!work.Affords(kCostOfLook + Tree->SplitCost() / kShareOfHalves))
+      else if (!work.Affords(kCostOfLook + Tree->SplitCost() / kShareOfChildren))
       {
         AddUndecided(Bundle, Rays, *solver, one, Work.hits);
         TakeHits(false);
@@ -304,17 +304,17 @@ private:
       }
       else
       {
-        LookAtHalves(*solver, one, ray, open);
+        LookAtChildren(*solver, one, ray, open);
       }
     }
   }
 
-  void LookAtHalves(
+  void LookAtChildren(
     PieceSolver& solver, const OpenPiece& one, const RaySet& ray, std::vector<OpenPiece>& open)
   {
-    const PieceHalves halves = Tree->Halves(*one.piece);
-    const auto& own = halves.own ? halves.own : one.own;
-    for (const CurvedPiece& half : *halves.pieces)
+    const PieceChildren children = Tree->GetChildren(*one.piece);
+    const auto& own = children.own ? children.own : one.own;
+    for (const CurvedPiece& half : *children.pieces)
     {
       if (!MayMeet(half, ray))
       {
@@ -360,6 +360,6 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
     bundle.Begin(rays, first, count, std::countr_zero(ways), Hierarchy->Bounds());
     Meeting(*this, rays, bundle, work).Run();
   }
-  WriteHits(rays, first, count, { All, TheEquation.mesh, TellsElements() }, work.hits, hits);
+  WriteHits(rays, first, count, { All, equation_.mesh, TellsElements() }, work.hits, hits);
 }
 } // namespace pixelexact

@@ -38,7 +38,7 @@ struct alignas(64) CurvedPiece
   Box3 bounds; ///< in world coordinates: no point of the surface's piece lies outside
   /// Null before the piece is split; an end without a surface has no bounds (lower > upper).
   mutable std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
-  int halvings = 0;
+  int subdivisions = 0;
   /// The ranges are so small that most rays are decided here, or it has been halved often enough to
   /// ask first.
   bool flat = false;

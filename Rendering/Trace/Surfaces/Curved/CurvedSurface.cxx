@@ -22,7 +22,7 @@ struct NormalScratch
 
 CurvedSurface::CurvedSurface(
   const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes)
-  : TheEquation(equation)
+  : equation_(equation)
   , All(std::move(parts))
   , Trees(All.size())
   , Boxes(equation.field == nullptr ? All.size() : 0)
@@ -37,12 +37,12 @@ CurvedSurface::CurvedSurface(
 const PartTree& CurvedSurface::TreeOf(std::int32_t part) const
 {
   return Trees.Get(static_cast<std::size_t>(part),
-    [&] { return std::make_unique<const PartTree>(TheEquation, PartOf(part), ModesOf(part)); });
+    [&] { return std::make_unique<const PartTree>(equation_, PartOf(part), ModesOf(part)); });
 }
 
 const FaceModes* CurvedSurface::ModesOf(std::int32_t part) const
 {
-  if (TheEquation.field != nullptr)
+  if (equation_.field != nullptr)
   {
     return nullptr;
   }
@@ -50,19 +50,19 @@ const FaceModes* CurvedSurface::ModesOf(std::int32_t part) const
     [&]
     {
       return std::make_unique<const std::optional<FaceModes>>(
-        Restriction.Of(TheEquation.mesh, PartOf(part)));
+        Restriction.Of(equation_.mesh, PartOf(part)));
     });
   return modes ? &*modes : nullptr;
 }
 
 const Box3& CurvedSurface::BoxOf(std::int32_t part, const Box3& around) const
 {
-  return TheEquation.field != nullptr ? around
-                                      : Boxes.Get(static_cast<std::size_t>(part),
-                                          [&] {
-                                            return std::make_unique<const Box3>(FaceBox(
-                                              TheEquation.mesh, PartOf(part), ModesOf(part)));
-                                          });
+  return equation_.field != nullptr
+    ? around
+    : Boxes.Get(static_cast<std::size_t>(part),
+        [&] {
+          return std::make_unique<const Box3>(FaceBox(equation_.mesh, PartOf(part), ModesOf(part)));
+        });
 }
 
 std::int64_t CurvedSurface::PiecesMade() const
@@ -84,14 +84,14 @@ void CurvedSurface::Review(
 void CurvedSurface::NormalsOf(
   std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {
-  FaceNormals(FaceMap(TheEquation.mesh, PartOf(part), ModesOf(part)), xi, normals);
+  FaceNormals(FaceMap(equation_.mesh, PartOf(part), ModesOf(part)), xi, normals);
 }
 
 void CurvedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
 {
-  for (int first = 0; Hierarchy && first < rays.count; first += RayBundle::kMost)
+  for (int first = 0; Hierarchy && first < rays.count; first += RayBundle::kMax)
   {
-    MeetSome(rays, first, std::min(RayBundle::kMost, rays.count - first), hits);
+    MeetSome(rays, first, std::min(RayBundle::kMax, rays.count - first), hits);
   }
 }
 

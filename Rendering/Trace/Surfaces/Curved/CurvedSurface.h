@@ -44,7 +44,7 @@ protected:
   CurvedSurface(
     const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes);
 
-  [[nodiscard]] const CurvedEquation& Equation() const { return TheEquation; }
+  [[nodiscard]] const CurvedEquation& Equation() const { return equation_; }
   [[nodiscard]] std::span<const CurvedPart> AllParts() const { return All; }
   [[nodiscard]] const CurvedPart& PartOf(std::int32_t part) const
   {
@@ -70,7 +70,7 @@ private:
   [[nodiscard]] const Box3& BoxOf(std::int32_t part, const Box3& around) const;
   void MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const;
 
-  CurvedEquation TheEquation;
+  CurvedEquation equation_;
   std::vector<CurvedPart> All;
   std::unique_ptr<BundleHierarchy> Hierarchy;
   MadeOnDemand<PartTree> Trees;

@@ -81,7 +81,7 @@ BoxPolynomial OverFace(const FaceChart& chart, const RangeIngredient& ingredient
 }
 
 FaceMap::FaceMap(const Mesh& mesh, const CurvedPart& part, const FaceModes* modes)
-  : TheChart(ChartOf(mesh.ShapeOf(part.element), part.face))
+  : chart_(ChartOf(mesh.ShapeOf(part.element), part.face))
   , Inwards(FacePlanesOf(mesh.ShapeOf(part.element))[static_cast<std::size_t>(part.face)].gradient)
   , Modes(modes)
   , InElement(mesh.map.SpaceOf(part.element))
@@ -96,8 +96,8 @@ void FaceMap::Evaluate(const LanePoints& xi, double* const value[3], double* con
     EvaluateInElement(xi, value, slope);
     return;
   }
-  const double* const u = xi.x[TheChart.free[0]];
-  const double* const v = xi.x[TheChart.free[1]];
+  const double* const u = xi.x[chart_.free[0]];
+  const double* const v = xi.x[chart_.free[1]];
   double* const none = slope[6];
   double* const by[9] = { slope[0], none, slope[1], slope[2], none, slope[3], slope[4], none,
     slope[5] };
@@ -110,8 +110,8 @@ double FaceMap::OutwardSign() const
   Vec3 tangent[2]{};
   for (std::size_t j = 0; j < 2; ++j)
   {
-    tangent[j][TheChart.free[j]] = 1.0;
-    tangent[j][TheChart.across] = TheChart.along[j];
+    tangent[j][chart_.free[j]] = 1.0;
+    tangent[j][chart_.across] = chart_.along[j];
   }
   // Distances grow inwards.
   return glm::dot(glm::cross(tangent[0], tangent[1]), Inwards) < 0.0 ? 1.0 : -1.0;
@@ -130,13 +130,13 @@ void FaceMap::EvaluateInElement(
   KernelsFor(InElement).gradient(InElement, Coefficients, 3, xi, value, by);
   for (std::size_t c = 0; c < 3; ++c)
   {
-    const double* const across = by[3 * c + static_cast<std::size_t>(TheChart.across)];
+    const double* const across = by[3 * c + static_cast<std::size_t>(chart_.across)];
     for (std::size_t j = 0; j < 2; ++j)
     {
-      const double* const along = by[3 * c + static_cast<std::size_t>(TheChart.free[j])];
+      const double* const along = by[3 * c + static_cast<std::size_t>(chart_.free[j])];
       for (std::size_t i = 0; i < count; ++i)
       {
-        slope[2 * c + j][i] = along[i] + TheChart.along[j] * across[i];
+        slope[2 * c + j][i] = along[i] + chart_.along[j] * across[i];
       }
     }
   }

@@ -50,7 +50,7 @@ public:
   /// At points of the face: value[c] of each coordinate, and slope[2 c + j], its derivatives by u
   /// (j = 0) and v. slope[6] is room. Arrays hold PaddedCount(xi.count) doubles.
   void Evaluate(const LanePoints& xi, double* const value[3], double* const slope[7]) const;
-  [[nodiscard]] const FaceChart& Chart() const { return TheChart; }
+  [[nodiscard]] const FaceChart& Chart() const { return chart_; }
   /// Of the product of the slopes by u and v, where the Jacobian is positive: 1 if it points out of
   /// the element, else -1.
   [[nodiscard]] double OutwardSign() const;
@@ -59,7 +59,7 @@ private:
   void EvaluateInElement(
     const LanePoints& xi, double* const value[3], double* const slope[7]) const;
 
-  FaceChart TheChart;
+  FaceChart chart_;
   Vec3 Inwards; ///< in xi
   const FaceModes* Modes;
   const Space& InElement;

@@ -148,10 +148,10 @@ public:
         start[j] = Splat(Piece.centre[d]) + step[j];
       });
     ClampTo(Frame.chart.collapses, from, to, start, at);
-    LaneMask within = LeastNorm(K) <= Splat(kMostUnique);
+    LaneMask within = LeastNorm(K) <= Splat(kMaxUnique);
     ForBoth([&](auto j) PIXELEXACT_INLINED
       { within = And(within, Abs(start[j] - at[j]) <= Splat(kEdge)); });
-    const LaneMask contracts = kappa <= Splat(kMostKappa);
+    const LaneMask contracts = kappa <= Splat(kMaxKappa);
     const LaneMask pair = And(open, And(IsFinite(all), Or(contracts, within)));
     const std::uint64_t which = BitsOf(pair);
     if (which == 0)

@@ -78,7 +78,7 @@ class Chooser
 {
 public:
   Chooser(const Locator& locator, const FaceTable& table, const CurvedEquation& equation)
-    : TheLocator(locator)
+    : locator_(locator)
     , Table(table)
     , Equation(equation)
     , Ranges(RangesFor(equation))
@@ -117,7 +117,7 @@ private:
   [[nodiscard]] bool MayBeBesideAny(int element, const Interval& mine) const
   {
     std::vector<int> near;
-    TheLocator.Index().FindNear(TheLocator.Index().ElementBox(element), near);
+    locator_.Index().FindNear(locator_.Index().ElementBox(element), near);
     return std::ranges::any_of(near,
       [&](int other) { return other != element && MayBeBetween(mine, Ranges.RangeOf(other)); });
   }
@@ -139,7 +139,7 @@ private:
     std::vector<Vec3> x(xi.size());
     MapForward(mesh, face.element, xi, x);
     std::vector<BehindFace> behind(xi.size());
-    FindBehind(TheLocator, face, xi, x, behind);
+    FindBehind(locator_, face, xi, x, behind);
     std::vector<Vec3> there;
     for (const BehindFace& at : behind)
     {
@@ -179,7 +179,7 @@ private:
     return false;
   }
 
-  const Locator& TheLocator;
+  const Locator& locator_;
   const FaceTable& Table;
   CurvedEquation Equation;
   ValueIndex Ranges;

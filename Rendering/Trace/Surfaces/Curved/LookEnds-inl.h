@@ -82,7 +82,7 @@ HWY_INLINE void AppendPairs(PiecePairs& pairs, LaneMask some, const LookRays& ra
       writer.Put(kXiColumn + d, start.xi[d]);
       writer.Put(kSideColumn + d, side.normal[d]);
     });
-  writer.Put(kLeastColumn, side.least);
+  writer.Put(kMinColumn, side.least);
   pairs.count += std::popcount(which);
 }
 
@@ -179,7 +179,7 @@ HWY_INLINE RaySet LookAtOpen(
     const Lanes number = Traits::Load(open.Column(kOpenRayColumn) + i);
     AddRays(BitsOf(at(i, active)), number, unclear);
   }
-  TellPiece(piece, before, pairs);
+  ReportPiece(piece, before, pairs);
   return unclear;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -25,7 +25,7 @@ enum OpenColumn
 /// A ray may be there twice, with two places.
 struct OpenRays
 {
-  static constexpr std::size_t kStride = 2 * RayBundle::kMost + 2 * kLanePadding;
+  static constexpr std::size_t kStride = 2 * RayBundle::kMax + 2 * kLanePadding;
 
   int count = 0;
   std::vector<double> columns = std::vector<double>(kOpenColumns * kStride);

@@ -20,7 +20,7 @@ namespace
 constexpr double kFlat[2] = { 0.2, 0.3 };
 /// Of f and y: values that rounding may have made of a zero.
 constexpr double kPlateau = 1e-14;
-/// Halvings at once, however it bends.
+/// Subdivisions at once, however it bends.
 constexpr int kAtOnce[2] = { 8, 11 };
 
 /// On a straight way in xi from a box's centre the part of the way is no less than that of eta's,
@@ -80,9 +80,9 @@ void SetBend(
 void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
 {
   Count.fetch_add(1, std::memory_order_relaxed);
-  const auto e = static_cast<std::size_t>(ThePart.element);
-  const Box3 around = HullInXi(TheShape, piece.box);
-  piece.centre = TensorToReference(TheShape, 0.5 * (piece.box.lower + piece.box.upper));
+  const auto e = static_cast<std::size_t>(part_.element);
+  const Box3 around = HullInXi(shape_, piece.box);
+  piece.centre = TensorToReference(shape_, 0.5 * (piece.box.lower + piece.box.upper));
   piece.half = glm::max(around.upper - piece.centre, piece.centre - around.lower);
   piece.half *= 1.0 + 8.0 * kUnitRoundoff;
   piece.plateau = true;
@@ -110,7 +110,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   }
   else
   {
-    const Vec3& n = FacePlanesOf(TheShape)[static_cast<std::size_t>(ThePart.face)].gradient;
+    const Vec3& n = FacePlanesOf(shape_)[static_cast<std::size_t>(part_.face)].gradient;
     for (int d = 0; d < 3; ++d)
     {
       piece.slope[3][d] = n[d];
@@ -127,11 +127,12 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     piece.error[c] += 8.0 * kUnitRoundoff * largest;
   }
   const int which = Field ? 1 : 0;
-  piece.flat = piece.halvings >= kAtOnce[which] || BendOf(piece, Field.has_value()) <= kFlat[which];
+  piece.flat =
+    piece.subdivisions >= kAtOnce[which] || BendOf(piece, Field.has_value()) <= kFlat[which];
   if (piece.flat && !piece.IsEmpty())
   {
     const std::span all(polys);
-    const Vec3 widening = WideningOf(TheShape, piece.box);
+    const Vec3 widening = WideningOf(shape_, piece.box);
     for (std::size_t c = 0; c < 3; ++c)
     {
       SetBend(all.subspan(3 + 3 * c, 3), widening, c, piece);
@@ -150,7 +151,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
 void PartTree::SetCurvature(CurvedPiece& piece, const Polys& polys) const
 {
   const std::span all(polys);
-  const PieceCorners corners(TheShape, piece);
+  const PieceCorners corners(shape_, piece);
   piece.curves = true;
   for (std::size_t c = 0; c < 3; ++c)
   {

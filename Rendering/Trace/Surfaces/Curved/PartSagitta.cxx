@@ -23,7 +23,7 @@ constexpr double kOnFace = 1e-9;
 constexpr double kApart = 1e-3;
 
 /// Of nodes, for whether the surface meets a region.
-constexpr int kHalvings = 12;
+constexpr int kSubdivisions = 12;
 
 /// How far a sheet that leaves its element, or a chord on it, is off the straight line between two
 /// points that is `beside` off at its end: the rays are nearly parallel.
@@ -101,7 +101,7 @@ std::span<const CurvedPart> PartSagitta::FacesOf(int element) const
 
 bool PartSagitta::MayMeet(const WideOutline& region, EdgeWork* work) const
 {
-  const EdgeEffort effort{ kHalvings, 0, work };
+  const EdgeEffort effort{ kSubdivisions, 0, work };
   std::vector<int> elements;
   Index.FindNear(BoxOf(region), elements);
   return std::ranges::any_of(elements,

@@ -20,12 +20,12 @@ constexpr int kBesides = 2;
 constexpr std::int64_t kCostOfTwo = 2000;
 
 std::atomic<std::int64_t> bytesKept{ 0 };
-std::atomic<std::int64_t> mostBytes{ PartTree::kMostBytes };
+std::atomic<std::int64_t> mostBytes{ PartTree::kMaxBytes };
 
-std::int64_t CountBelow(const std::array<CurvedPiece, 2>& halves)
+std::int64_t CountBelow(const std::array<CurvedPiece, 2>& children)
 {
   std::int64_t count = 2;
-  for (const CurvedPiece& half : halves)
+  for (const CurvedPiece& half : children)
   {
     const auto* below = half.children.load(std::memory_order_relaxed);
     count += below != nullptr ? CountBelow(*below) : 0;
@@ -33,9 +33,9 @@ std::int64_t CountBelow(const std::array<CurvedPiece, 2>& halves)
   return count;
 }
 
-std::int64_t BytesOf(const std::array<CurvedPiece, 2>& halves)
+std::int64_t BytesOf(const std::array<CurvedPiece, 2>& children)
 {
-  return CountBelow(halves) * static_cast<std::int64_t>(sizeof(CurvedPiece));
+  return CountBelow(children) * static_cast<std::int64_t>(sizeof(CurvedPiece));
 }
 
 std::size_t CoefficientsOf(const std::vector<BoxPolynomial>& polys)
@@ -88,9 +88,9 @@ PartTree::~PartTree()
 PartTree::PartTree(
   const CurvedEquation& equation, const CurvedPart& part, const FaceModes* faceModes)
   : Equation(equation)
-  , ThePart(part)
+  , part_(part)
   , Modes(faceModes)
-  , TheShape(equation.mesh.ShapeOf(part.element))
+  , shape_(equation.mesh.ShapeOf(part.element))
   , Map(faceModes ? ScaledModes(faceModes->space, faceModes->coefficients.data(), 3)
                   : ScaledModes(equation.mesh.map.SpaceOf(part.element),
                       equation.mesh.map.Coefficients(part.element), 3))
@@ -121,7 +121,7 @@ PartTree::PartTree(
   }
   Level = LevelFor(all);
   const int count = 1 << Level;
-  const auto ends = FacesOf(TheShape);
+  const auto ends = FacesOf(shape_);
   for (int i = 0; i < count * count * count; ++i)
   {
     const int number[3] = { i / (count * count), i / count % count, i % count };
@@ -131,9 +131,9 @@ PartTree::PartTree(
     {
       root->box.lower[d] = std::ldexp(number[d], 1 - Level) - 1.0;
       root->box.upper[d] = std::ldexp(number[d] + 1, 1 - Level) - 1.0;
-      if (ThePart.face >= 0 && ends[static_cast<std::size_t>(ThePart.face)].direction == d)
+      if (part_.face >= 0 && ends[static_cast<std::size_t>(part_.face)].direction == d)
       {
-        const bool upper = ends[static_cast<std::size_t>(ThePart.face)].upper;
+        const bool upper = ends[static_cast<std::size_t>(part_.face)].upper;
         onFace = number[d] == (upper ? count - 1 : 0);
         (upper ? root->box.lower : root->box.upper)[d] = upper ? 1.0 : -1.0;
       }
@@ -141,7 +141,7 @@ PartTree::PartTree(
     if (onFace)
     {
       const Polys whole = Convert(PieceAt({ root->box.lower, root->box.upper }, Level));
-      CostOfHalves = std::max(CostOfHalves, CostOf(whole));
+      CostOfChildren = std::max(CostOfChildren, CostOf(whole));
       Fill(*root, Restricted(whole, root->box, true), 0);
       if (!root->IsEmpty())
       {
@@ -160,7 +160,7 @@ int PartTree::Components() const
 
 PartTree::Polys PartTree::ConvertOnFace(const PieceForm::Piece& piece) const
 {
-  const FaceChart chart = ChartOf(TheShape, ThePart.face);
+  const FaceChart chart = ChartOf(shape_, part_.face);
   const auto over = [&](int c, Part part) {
     return OverFace(chart, { &Map, c, part }, Level, piece);
   };
@@ -188,7 +188,7 @@ PartTree::Polys PartTree::Convert(const PieceForm::Piece& piece) const
   }
   const Box3 all{ Vec3(-1.0), Vec3(1.0) };
   const ShapeFace* face =
-    ThePart.face < 0 ? nullptr : &FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
+    part_.face < 0 ? nullptr : &FacesOf(shape_)[static_cast<std::size_t>(part_.face)];
   Polys polys;
   const auto add = [&](const ScaledModes& modes, int c, Part part)
   {
@@ -238,9 +238,9 @@ PartTree::Polys PartTree::Restricted(const Polys& whole, const EtaBox& box, bool
 {
   const Box3 at{ box.lower, box.upper };
   Box3 within = PartInPiece(at, Level, PieceAt(at, Level));
-  if (ThePart.face >= 0)
+  if (part_.face >= 0)
   {
-    const int across = FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)].direction;
+    const int across = FacesOf(shape_)[static_cast<std::size_t>(part_.face)].direction;
     within.lower[across] = -1.0;
     within.upper[across] = 1.0;
   }
@@ -301,8 +301,8 @@ void PartTree::Fill(CurvedPiece& piece, Polys polys, int besides) const
   const bool isPoint = piece.plateau && !Field;
   if (!piece.IsEmpty() && !isPoint && (!piece.flat || besides > 0))
   {
-    auto halves = Split(piece, std::move(polys), piece.flat ? besides - 1 : 0);
-    piece.children.store(halves.release(), std::memory_order_release);
+    auto children = Split(piece, std::move(polys), piece.flat ? besides - 1 : 0);
+    piece.children.store(children.release(), std::memory_order_release);
   }
 }
 
@@ -310,27 +310,27 @@ std::unique_ptr<const PartTree::Children> PartTree::Split(
   const CurvedPiece& piece, Polys polys, int besides) const
 {
   const int direction = DirectionOf(piece, polys);
-  auto halves = std::make_unique<Children>();
+  auto children = std::make_unique<Children>();
   Polys upper;
   upper.reserve(polys.size());
   for (BoxPolynomial& p : polys)
   {
-    upper.push_back(p.Halve(direction));
+    upper.push_back(p.Subdivide(direction));
   }
   const double middle = 0.5 * (piece.box.lower[direction] + piece.box.upper[direction]);
   for (std::size_t k = 0; k < 2; ++k)
   {
-    CurvedPiece& half = (*halves)[k];
+    CurvedPiece& half = (*children)[k];
     half.box = piece.box;
     (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
-    half.halvings = piece.halvings + 1;
-    half.plateauFrom = piece.plateau ? piece.plateauFrom : half.halvings;
+    half.subdivisions = piece.subdivisions + 1;
+    half.plateauFrom = piece.plateau ? piece.plateauFrom : half.subdivisions;
     Fill(half, std::move(k == 0 ? polys : upper), besides);
   }
-  return halves;
+  return children;
 }
 
-PieceHalves PartTree::Halves(const CurvedPiece& piece) const
+PieceChildren PartTree::GetChildren(const CurvedPiece& piece) const
 {
   if (const auto* made = piece.children.load(std::memory_order_acquire))
   {
@@ -339,11 +339,11 @@ PieceHalves PartTree::Halves(const CurvedPiece& piece) const
   // Always so many at once: numbers that halving has made are others than those of restriction.
   const auto make = [&]
   {
-    std::unique_ptr<const Children> halves;
+    std::unique_ptr<const Children> children;
     WithConverted(PieceAt({ piece.box.lower, piece.box.upper }, Level),
       [&](const Polys& whole)
-      { halves = Split(piece, Restricted(whole, piece.box, true), kBesides); });
-    return halves;
+      { children = Split(piece, Restricted(whole, piece.box, true), kBesides); });
+    return children;
   };
   if (AreFull())
   {
@@ -353,9 +353,9 @@ PieceHalves PartTree::Halves(const CurvedPiece& piece) const
   const std::scoped_lock lock(Growing);
   if (piece.children.load(std::memory_order_relaxed) == nullptr)
   {
-    auto halves = make();
-    Keep(BytesOf(*halves));
-    piece.children.store(halves.release(), std::memory_order_release);
+    auto children = make();
+    Keep(BytesOf(*children));
+    piece.children.store(children.release(), std::memory_order_release);
   }
   return { piece.children.load(std::memory_order_relaxed), nullptr };
 }

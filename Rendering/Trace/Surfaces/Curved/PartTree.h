@@ -20,7 +20,7 @@ namespace pixelexact
 {
 /// A piece's children. They belong to whom the piece belongs to, or to `own` where a tree keeps no
 /// more.
-struct PieceHalves
+struct PieceChildren
 {
   const std::array<CurvedPiece, 2>* pieces = nullptr;
   std::shared_ptr<const std::array<CurvedPiece, 2>> own;
@@ -29,8 +29,8 @@ struct PieceHalves
 /// The pieces of an element's part of a surface: made until they are flat, and halved further where
 /// rays need it. Safe to use from several threads: pieces are read without a lock.
 ///
-/// What all trees of the process keep is limited. Above the limit Halves returns pieces that belong
-/// to the caller. Which of the two it returns changes no number in them.
+/// What all trees of the process keep is limited. Above the limit GetChildren returns pieces that
+/// belong to the caller. Which of the two it returns changes no number in them.
 class PartTree
 {
 public:
@@ -44,9 +44,9 @@ public:
 
   /// What the tree begins with; together the whole part.
   [[nodiscard]] const std::vector<std::unique_ptr<CurvedPiece>>& Roots() const { return All; }
-  [[nodiscard]] PieceHalves Halves(const CurvedPiece& piece) const;
+  [[nodiscard]] PieceChildren GetChildren(const CurvedPiece& piece) const;
   /// About the nanoseconds that a piece's halves cost where they are not there yet.
-  [[nodiscard]] std::int64_t SplitCost() const { return CostOfHalves; }
+  [[nodiscard]] std::int64_t SplitCost() const { return CostOfChildren; }
 
   /// Whether all trees together keep as much as they may.
   [[nodiscard]] static bool AreFull();
@@ -54,7 +54,7 @@ public:
   /// lower limit keep what they have.
   [[nodiscard]] static std::int64_t BytesKept();
   static void SetMostBytes(std::int64_t bytes);
-  static constexpr std::int64_t kMostBytes = std::int64_t{ 1 } << 30;
+  static constexpr std::int64_t kMaxBytes = std::int64_t{ 1 } << 30;
 
   /// Of the components that make f, scaled as f is: one after the other.
   [[nodiscard]] const ScaledModes& FieldModes() const { return *Field; }
@@ -94,9 +94,9 @@ private:
   void Keep(std::int64_t bytes) const;
 
   CurvedEquation Equation;
-  CurvedPart ThePart;
+  CurvedPart part_;
   const FaceModes* Modes;
-  Shape TheShape;
+  Shape shape_;
   ScaledModes Map;
   std::optional<ScaledModes> Field;
   double ScaledValue = 0.0;
@@ -108,6 +108,6 @@ private:
   mutable std::map<PieceForm::Piece, const Polys> Whole; ///< of pieces that rays need halved
   mutable std::atomic<std::int64_t> Count{ 0 };
   mutable std::atomic<std::int64_t> Bytes{ 0 };
-  std::int64_t CostOfHalves = 0;
+  std::int64_t CostOfChildren = 0;
 };
 } // namespace pixelexact

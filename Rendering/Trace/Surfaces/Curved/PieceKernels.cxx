@@ -96,7 +96,7 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
     const Lanes moved = Max(Abs(step[0]), Max(Abs(step[1]), Abs(step[2])));
     const Lanes beyond = apart(next, inside);
     const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
-    const LaneMask isFew = rounds <= Splat(kMostRounds);
+    const LaneMask isFew = rounds <= Splat(kMaxRounds);
     const LaneMask isFinite = IsFinite(step[0] + step[1] + step[2]);
     const LaneMask arrived = And(moved <= Splat(kArrived), beyond <= Splat(kEdge));
     const Closeness<3> close(
@@ -120,7 +120,7 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
         Store(Splat(frame.centre[d]) + Splat(frame.size) * y, position[d] + i);
       });
     const LaneMask goesOn = And(stays, isFew);
-    const LaneMask isOne = And(isHit, side >= load(kLeastColumn));
+    const LaneMask isOne = And(isHit, side >= load(kMinColumn));
     Store(Select(isOne, number(PairResult::Hit),
             Select(AndNot(goesOn, isHit), number(PairResult::Again), number(PairResult::Unclear))),
       result + i);

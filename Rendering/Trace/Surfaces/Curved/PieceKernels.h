@@ -41,17 +41,17 @@ enum PairColumn
   kKappaColumn = kUpperColumn + 3,
   kLastColumn, ///< the residual before a step that was held back; 0: none
   kRoundsColumn,
-  kXiColumn,                      ///< 3
-  kNormColumn = kXiColumn + 3,    ///< 3: factors of the norm
-  kSideColumn = kNormColumn + 3,  ///< 3: of a root, in a volume, side . xi is
-  kLeastColumn = kSideColumn + 3, ///< at least this
+  kXiColumn,                     ///< 3
+  kNormColumn = kXiColumn + 3,   ///< 3: factors of the norm
+  kSideColumn = kNormColumn + 3, ///< 3: of a root, in a volume, side . xi is
+  kMinColumn = kSideColumn + 3,  ///< at least this
   kPairColumns
 };
 
 struct PiecePairs
 {
-  static constexpr int kMost = 768;
-  static constexpr std::size_t kStride = kMost + 2 * kLanePadding;
+  static constexpr int kMax = 768;
+  static constexpr std::size_t kStride = kMax + 2 * kLanePadding;
 
   int count = 0;
   std::vector<const CurvedPiece*> pieces;

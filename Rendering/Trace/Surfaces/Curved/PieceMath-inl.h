@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
 /// Steps of Newton's iteration in a piece.
-constexpr double kMostRounds = 40.0;
+constexpr double kMaxRounds = 40.0;
 /// Of xi: by rounding beside the end of a piece.
 constexpr double kEdge = 1e-15;
 

@@ -20,10 +20,10 @@ HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
 /// Up to it a step that is held back lets a residual fall to 3/4 at least.
-constexpr double kMostKappa = 0.35;
+constexpr double kMaxKappa = 0.35;
 /// Up to it, in any norm, a piece has one root at most: where the first step stays in it, that is
 /// looked for by so many steps before the piece is halved.
-constexpr double kMostUnique = 0.8;
+constexpr double kMaxUnique = 0.8;
 constexpr double kFewRounds = 6.0;
 /// Of a pair whose residuals prove nothing.
 constexpr double kNoKappa = 2.0;
@@ -65,7 +65,7 @@ HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, PieceLook&
 }
 
 /// Of pairs that a look has appended, tells the piece.
-HWY_INLINE void TellPiece(const CurvedPiece& piece, int before, PiecePairs& pairs)
+HWY_INLINE void ReportPiece(const CurvedPiece& piece, int before, PiecePairs& pairs)
 {
   if (pairs.count > before)
   {
@@ -80,7 +80,7 @@ HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const Curv
 {
   const int before = pairs.count;
   const RaySet unclear = LookAt(bundle, rays, look);
-  TellPiece(piece, before, pairs);
+  ReportPiece(piece, before, pairs);
   return unclear;
 }
 
@@ -100,7 +100,7 @@ public:
     PutAll(kLastColumn, 0.0);
     Put(kRayColumn, ray);
     Put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
-    Put(kRoundsColumn, Select(contracts, Splat(0.0), Splat(kMostRounds - kFewRounds)));
+    Put(kRoundsColumn, Select(contracts, Splat(0.0), Splat(kMaxRounds - kFewRounds)));
   }
 
   HWY_INLINE void Put(int column, Lanes value) const
@@ -164,11 +164,11 @@ HWY_INLINE PairEnd EndOf(const PairState<N>& pair, Lanes kappa, Lanes last, Lane
     And(zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * sizeOf(pair.off) < residual));
   end.rounds = rounds + Splat(1.0);
   const LaneMask stays = pair.beyond <= zero;
-  const LaneMask goesOn = And(And(IsFinite(residual), end.rounds <= Splat(kMostRounds)),
+  const LaneMask goesOn = And(And(IsFinite(residual), end.rounds <= Splat(kMaxRounds)),
     Or(Or(contracts, stays), pair.isNear));
   end.isHit = Or(Or(end.arrived, pair.isThere), AndNot(pair.isNear, goesOn));
   end.isFree =
-    Or(pair.isNear, AndNot(stays, And(contracts, end.rounds >= Splat(0.5 * kMostRounds))));
+    Or(pair.isNear, AndNot(stays, And(contracts, end.rounds >= Splat(0.5 * kMaxRounds))));
   end.last = Select(end.isFree, zero, residual);
   end.result = Select(goesOn, number(PairResult::Again), number(PairResult::Unclear));
   end.result = Select(miss, number(PairResult::Miss), end.result);

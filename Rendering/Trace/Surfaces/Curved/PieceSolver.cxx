@@ -71,7 +71,7 @@ std::array<double, 2> PieceSolver::Across(int ray) const
 
 RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
 {
-  if (Work.pairs.count + 2 * RayBundle::kMost > PiecePairs::kMost)
+  if (Work.pairs.count + 2 * RayBundle::kMax > PiecePairs::kMax)
   {
     Solve();
   }

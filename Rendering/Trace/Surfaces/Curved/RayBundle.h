@@ -23,8 +23,8 @@ namespace pixelexact
 class RayBundle
 {
 public:
-  static constexpr int kMost = 128;
-  static constexpr std::size_t kPadded = kMost + kLanePadding;
+  static constexpr int kMax = 128;
+  static constexpr std::size_t kPadded = kMax + kLanePadding;
   using Numbers = std::array<double, kPadded>;
 
   /// Of `count` rays from number `first` those that run one way (BundleKernels::ways, the bit's
@@ -76,7 +76,7 @@ public:
 
   /// The same of up to eight boxes: a bit each, and their depths.
   [[nodiscard]] unsigned MayMeet(
-    const EightBoxes& boxes, std::array<double, EightBoxes::kMost>& depth) const
+    const EightBoxes& boxes, std::array<double, EightBoxes::kMax>& depth) const
   {
     return GetBundleKernels().meetBoxes(Ranges, { axes, z0, sign, 0.0 }, boxes, depth.data());
   }
@@ -129,7 +129,7 @@ private:
 /// Some of a bundle's rays: a bit each.
 struct RaySet
 {
-  static constexpr std::size_t kWords = RayBundle::kMost / 64;
+  static constexpr std::size_t kWords = RayBundle::kMax / 64;
   std::array<std::uint64_t, kWords> bits{};
 
   static RaySet First(int count)

@@ -14,15 +14,15 @@ namespace pixelexact::HWY_NAMESPACE
 {
 /// The sine, in xi, of the angle between the planes whose line the ray is, from which on that line
 /// is known to some 1e-12.
-constexpr double kLeastSine = 1e-4;
+constexpr double kMinSine = 1e-4;
 /// Of numbers that such a line is made with: more than rounding leaves.
 constexpr double kLineRounding = 1e-11;
 /// A root's slope is at least this, of f's, so that its place is known to some 1e-12: where the
 /// other root of a ray is not found, the piece is halved, and this one is found again at the same
 /// place.
-constexpr double kLeastSlope = 1e-3;
+constexpr double kMinSlope = 1e-3;
 /// Of a slope what may be unknown where it proves that there is one root at most.
-constexpr double kMostOfSlope = 0.8;
+constexpr double kMaxOfSlope = 0.8;
 
 /// A symmetric matrix: the diagonal, then 01, 12, 20.
 struct SymmetricLanes
@@ -105,7 +105,7 @@ public:
     Cross(at.m[0], at.m[1], normal);
     const Lanes square = Dot(normal, normal);
     const Lanes sizes = Dot(at.m[0], at.m[0]) * Dot(at.m[1], at.m[1]);
-    isValid = And(IsFinite(sizes), sizes * Splat(kLeastSine * kLeastSine) < square);
+    isValid = And(IsFinite(sizes), sizes * Splat(kMinSine * kMinSine) < square);
     const Lanes inverse = Splat(1.0) / Sqrt(square);
     Lanes column[2][3];
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { e[d] = normal[d] * inverse; });
@@ -214,7 +214,7 @@ public:
         curved[d] = most[d] + curved[d];
       });
     slopeError = (DotAbs(Le, spread) + Dot(curved, turned) + Dot(rest, way)) * Splat(kMore) +
-      Splat(kLeastSlope) * (Abs(slope[0]) + Abs(slope[1]) + Abs(slope[2]));
+      Splat(kMinSlope) * (Abs(slope[0]) + Abs(slope[1]) + Abs(slope[2]));
     isValid = And(isValid, IsFinite(A + B + K + error + slopeError));
   }
 
@@ -261,7 +261,7 @@ public:
     before.root = Max(Min(lower, before.to), before.from);
     behind.root = Max(Min(upper, behind.to), behind.from);
     const auto isSteep = [&](Lanes slope) PIXELEXACT_INLINED
-    { return And(isValid, slopeError <= Splat(kMostOfSlope) * slope); };
+    { return And(isValid, slopeError <= Splat(kMaxOfSlope) * slope); };
     before.isUnique = isSteep(zero - b - k * before.to);
     behind.isUnique = isSteep(b + k * behind.from);
   }

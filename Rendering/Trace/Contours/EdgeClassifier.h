@@ -55,16 +55,16 @@ enum class EdgeFinding : std::uint8_t
 /// the largest.
 [[nodiscard]] double SlackOf(std::span<const Vec3> corners);
 
-/// Judges edges on a layer's surface: of one tile, by one thread.
-class EdgeJudge
+/// Classifies edges on a layer's surface: of one tile, by one thread.
+class EdgeClassifier
 {
 public:
   /// `values`: in ascending order; `elements`: all whose boxes meet the tile's part of the surface.
   /// `work`: for all that is asked; null: without a limit.
-  EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
+  EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
     std::span<const int> elements);
   /// The same where nobody knows the elements: each edge's are looked for.
-  EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work);
+  EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work);
 
   /// Between which values a value is: the number of those below it.
   [[nodiscard]] int SideOf(double value) const;
@@ -115,7 +115,7 @@ public:
   /// What is judged has one of the values everywhere (Surface::HeldValue).
   void HoldEverywhere() { IsHeld = true; }
   /// What is judged lies in a plane.
-  void LieOn(const Plane& plane) { ThePlane = &plane; }
+  void LieOn(const Plane& plane) { plane_ = &plane; }
   /// Of ends in any elements between which the surface goes on: by their values, In or Open.
   [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether, of all of the surface that rays between two may meet, none takes a value, nor lies on
@@ -160,7 +160,7 @@ private:
   bool Needed = false;
   bool LooksForElements = false;
   bool IsHeld = false;
-  const Plane* ThePlane = nullptr;
+  const Plane* plane_ = nullptr;
   mutable std::map<int, Interval> OnPlane; ///< by element
 };
 } // namespace pixelexact

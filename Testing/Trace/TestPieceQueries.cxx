@@ -149,7 +149,7 @@ public:
     : F(f)
     , Values(1)
   {
-    TheMesh.Add(UniformSpace(shape, 2),
+    mesh_.Add(UniformSpace(shape, 2),
       [&f](const LongVec3& xi)
       {
         return LongVec3{ FirstOf(Point128<long double>{ xi[0], xi[1], xi[2] }, f.bend, 1.0), xi[1],
@@ -159,8 +159,8 @@ public:
       [&f](const LongVec3& xi, long double* u) {
         u[0] = f.At(Point128<long double>{ xi[0], xi[1], xi[2] });
       });
-    TheField = { "f", Values.View() };
-    Equation = { TheMesh.View(), &TheField, 0, 0.0 };
+    field_ = { "f", Values.View() };
+    Equation = { mesh_.View(), &field_, 0, 0.0 };
     Tree = std::make_unique<PartTree>(Equation, Part);
     Frame.shape = shape;
     Frame.hasField = true;
@@ -267,9 +267,9 @@ public:
   }
 
   Product F;
-  MeshBuilder TheMesh;
+  MeshBuilder mesh_;
   ExpansionBuilder Values;
-  Field TheField;
+  Field field_;
   CurvedEquation Equation;
   CurvedPart Part{ 0, -1 };
   std::unique_ptr<PartTree> Tree;
@@ -287,19 +287,19 @@ template <class Look>
 void Descend(const Made& made, const RayBundle& bundle, const CurvedPiece& piece,
   const RaySet& rays, const Look& look)
 {
-  constexpr int kDeepest = 14;
+  constexpr int kMaxDepth = 14;
   if (piece.IsEmpty())
   {
     return;
   }
   const RaySet near = GetPieceKernels().meetBox(bundle, piece.bounds, rays);
   const RaySet unclear = piece.flat && !near.IsEmpty() ? look(piece, near) : near;
-  if (!unclear.IsEmpty() && piece.halvings < kDeepest)
+  if (!unclear.IsEmpty() && piece.subdivisions < kMaxDepth)
   {
-    const PieceHalves split = made.Tree->Halves(piece);
-    const auto& halves = *split.pieces;
-    Descend(made, bundle, halves[0], unclear, look);
-    Descend(made, bundle, halves[1], unclear, look);
+    const PieceChildren split = made.Tree->GetChildren(piece);
+    const auto& children = *split.pieces;
+    Descend(made, bundle, children[0], unclear, look);
+    Descend(made, bundle, children[1], unclear, look);
   }
 }
 
@@ -527,7 +527,7 @@ void ForEachField(Shape shape, Random& random, const Visit& visit)
 }
 } // namespace
 
-TEST(PieceLooks, RootsInAPieceAreFoundOnce)
+TEST(PieceQueries, RootsInAPieceAreFoundOnce)
 {
   SolverWork work;
   for (const Shape shape : kShapes)
@@ -558,7 +558,7 @@ TEST(PieceLooks, RootsInAPieceAreFoundOnce)
   }
 }
 
-TEST(PieceLooks, CloserLooksLoseNoRoot)
+TEST(PieceQueries, CloserLooksLoseNoRoot)
 {
   SolverWork work;
   for (const Shape shape : kShapes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/Contours/EdgeSettler.h"
+#include "Trace/Contours/EdgeRefiner.h"
 
 #include <glm/geometric.hpp>
 
@@ -20,10 +20,10 @@ constexpr int kSamplesOfUnknown = 4;
 constexpr double kBulge = 1.0;
 } // namespace
 
-EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
-  std::span<ContourVerdict> states, ContourCounters& counted)
+EdgeRefiner::EdgeRefiner(LayerSight& sight, const EdgeClassifier& classifier,
+  const ContourMethod& method, std::span<ContourVerdict> states, ContourCounters& counted)
   : Sight(sight)
-  , Judge(judge)
+  , Classifier(classifier)
   , Method(method)
   , IsPlane(sight.GetSurface().IsPlane())
   , States(states)
@@ -34,12 +34,12 @@ EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const Contou
 {
 }
 
-void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks)
+void EdgeRefiner::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks)
 {
   if (States[edge] != ContourVerdict::In)
   {
     const Part part{ edge, a, b, peeks };
-    const EdgeFinding finding = JudgeWithin(part);
+    const EdgeFinding finding = ClassifyWithin(part);
     if (finding == EdgeFinding::Uncovered && !MayJump(part))
     {
       Run.push_back(part);
@@ -50,26 +50,26 @@ void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool
   EndRow();
 }
 
-void EdgeSettler::EndRow()
+void EdgeRefiner::EndRow()
 {
   SettleRun(Run);
   Run.clear();
 }
 
-int EdgeSettler::SideOf(const Part& part) const
+int EdgeRefiner::SideOf(const Part& part) const
 {
-  return Sight.Shows(part.a) ? Judge.SideOf(part.a.point.value)
-    : Sight.Shows(part.b)    ? Judge.SideOf(part.b.point.value)
-                             : EdgeJudge::kNoSide;
+  return Sight.Shows(part.a) ? Classifier.SideOf(part.a.point.value)
+    : Sight.Shows(part.b)    ? Classifier.SideOf(part.b.point.value)
+                             : EdgeClassifier::kNoSide;
 }
 
-bool EdgeSettler::MayJump(const Part& part) const
+bool EdgeRefiner::MayJump(const Part& part) const
 {
   return Sight.Shows(part.a) && Sight.Shows(part.b) && part.a.element != part.b.element &&
-    Judge.AreOpposite(part.a, part.b);
+    Classifier.AreOpposite(part.a, part.b);
 }
 
-EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
+EdgeFinding EdgeRefiner::ClassifyWithin(const Part& part) const
 {
   const EdgeEnd& a = part.a;
   const EdgeEnd& b = part.b;
@@ -81,33 +81,33 @@ EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
   }
   // An end is on the edge, whatever is between.
   const auto isOnPlateau = [this](const EdgeEnd& end)
-  { return Sight.Shows(end) && Judge.IsOnPlateau(end); };
+  { return Sight.Shows(end) && Classifier.IsOnPlateau(end); };
   if (isOnPlateau(a) || isOnPlateau(b))
   {
     return EdgeFinding::In;
   }
   return Sight.Shows(a) && Sight.Shows(b) && a.element == b.element
-    ? Judge.Within(a, b, Sight.EdgeBetween(a, b))
+    ? Classifier.Within(a, b, Sight.EdgeBetween(a, b))
     : EdgeFinding::Uncovered;
 }
 
-EdgeFinding EdgeSettler::JudgeBeyond(const Part& part) const
+EdgeFinding EdgeRefiner::ClassifyBeyond(const Part& part) const
 {
   const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
   const bool inReach = edge.sagitta <= kBulge * glm::distance(edge.from, edge.to);
-  return inReach && !MayJump(part) && Judge.StaysOn(SideOf(part), edge, true)
+  return inReach && !MayJump(part) && Classifier.StaysOn(SideOf(part), edge, true)
     ? EdgeFinding::Out
     : EdgeFinding::Uncovered;
 }
 
-bool EdgeSettler::ShowsNoValue(const Part& part) const
+bool EdgeRefiner::ShowsNoValue(const Part& part) const
 {
   // Of an edge that is undecided already it would not help.
   return !IsPlane && States[part.edge] == ContourVerdict::Out &&
-    Judge.StaysBetween(Sight.GetSurface(), Sight.BeamBetween(part.a, part.b));
+    Classifier.StaysBetween(Sight.GetSurface(), Sight.BeamBetween(part.a, part.b));
 }
 
-void EdgeSettler::SettleRun(std::span<const Part> run)
+void EdgeRefiner::SettleRun(std::span<const Part> run)
 {
   if (run.size() <= 1)
   {
@@ -123,7 +123,7 @@ void EdgeSettler::SettleRun(std::span<const Part> run)
     const SurfaceEdge all = Sight.EdgeBetween(run.front().a, run.back().b);
     const int side = SideOf(run.front());
     if (std::ranges::all_of(run, [&](const Part& part) { return SideOf(part) == side; }) &&
-      Judge.StaysOn(side, all, false))
+      Classifier.StaysOn(side, all, false))
     {
       return;
     }
@@ -132,11 +132,11 @@ void EdgeSettler::SettleRun(std::span<const Part> run)
   SettleRun(run.subspan(run.size() / 2));
 }
 
-void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
+void EdgeRefiner::Settle(const Part& part, EdgeFinding finding, int level)
 {
   if (finding == EdgeFinding::Uncovered)
   {
-    finding = JudgeBeyond(part);
+    finding = ClassifyBeyond(part);
   }
   if (finding == EdgeFinding::Out)
   {
@@ -149,8 +149,8 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   }
   const bool onBoth = Sight.Shows(part.a) && Sight.Shows(part.b);
   if (finding == EdgeFinding::Blurred ||
-    (finding == EdgeFinding::Uncovered && onBoth && Judge.MayTouch(part.a) &&
-      Judge.MayTouch(part.b)))
+    (finding == EdgeFinding::Uncovered && onBoth && Classifier.MayTouch(part.a) &&
+      Classifier.MayTouch(part.b)))
   {
     States[part.edge] = ContourVerdict::Undecided;
     return;
@@ -164,7 +164,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     }
     return;
   }
-  const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
+  const int deepest = finding == EdgeFinding::Open ? Method.subdivisions : Method.crossings;
   // Of many that are open, those that show no value make room for others.
   if (finding == EdgeFinding::Uncovered && level < deepest &&
     Parts[part.edge] >= Method.parts * 3 / 4 && ShowsNoValue(part))
@@ -172,7 +172,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     return;
   }
   // Where much has been tried an edge is in by what goes on between two sides, or stays open.
-  const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
+  const bool opposite = onBoth && Classifier.AreOpposite(part.a, part.b);
   if (level < deepest && Parts[part.edge] < Method.parts &&
     (opposite || !IsLimited || Samples[part.edge] < Method.samples))
   {
@@ -184,10 +184,10 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   {
     const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
     // Proven that the surface goes on between them.
-    if (std::isfinite(edge.sagitta) && Judge.Across(part.a, part.b) != EdgeFinding::Open)
+    if (std::isfinite(edge.sagitta) && Classifier.Across(part.a, part.b) != EdgeFinding::Open)
     {
       States[part.edge] = ContourVerdict::In;
-      Counted.jumps += Judge.IsJump(part.a, part.b, edge) ? 1 : 0;
+      Counted.jumps += Classifier.IsJump(part.a, part.b, edge) ? 1 : 0;
       return;
     }
   }
@@ -205,7 +205,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   States[part.edge] = JoinVerdicts(States[part.edge], ContourVerdict::Undecided);
 }
 
-void EdgeSettler::MarkOpen(std::span<ContourVerdict> states) const
+void EdgeRefiner::MarkOpen(std::span<ContourVerdict> states) const
 {
   for (const Part& part : Open)
   {
@@ -213,7 +213,7 @@ void EdgeSettler::MarkOpen(std::span<ContourVerdict> states) const
   }
 }
 
-void EdgeSettler::Refine()
+void EdgeRefiner::Refine()
 {
   for (int level = 1;; ++level)
   {
@@ -223,7 +223,7 @@ void EdgeSettler::Refine()
       {
         return States[part.edge] == ContourVerdict::In ||
           (IsLimited && States[part.edge] == ContourVerdict::Undecided &&
-            !Judge.AreOpposite(part.a, part.b));
+            !Classifier.AreOpposite(part.a, part.b));
       });
     if (parts.empty())
     {
@@ -232,10 +232,10 @@ void EdgeSettler::Refine()
     std::int64_t cost = 0;
     for (const Part& part : parts)
     {
-      cost += Judge.SampleCost(part.a, part.b);
+      cost += Classifier.SampleCost(part.a, part.b);
     }
     // All of a level or none: no pixel goes before another.
-    if (!Judge.Affords(cost))
+    if (!Classifier.Affords(cost))
     {
       Open = std::move(parts);
       MarkOpen(States);
@@ -254,16 +254,16 @@ void EdgeSettler::Refine()
     {
       if (ends[i].isUnknown)
       {
-        Judge.SpendOnUnknown();
+        Classifier.SpendOnUnknown();
         Samples[parts[i].edge] += kSamplesOfUnknown;
       }
-      const Part halves[2] = { { parts[i].edge, parts[i].a, ends[i], parts[i].peeks },
+      const Part children[2] = { { parts[i].edge, parts[i].a, ends[i], parts[i].peeks },
         { parts[i].edge, ends[i], parts[i].b, parts[i].peeks } };
-      for (const Part& half : halves)
+      for (const Part& half : children)
       {
         if (States[half.edge] != ContourVerdict::In)
         {
-          Settle(half, JudgeWithin(half), level);
+          Settle(half, ClassifyWithin(half), level);
         }
       }
     }

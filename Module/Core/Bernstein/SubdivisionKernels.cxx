@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Core/Bernstein/HalvingKernels.cxx"
+#define HWY_TARGET_INCLUDE "Core/Bernstein/SubdivisionKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Bernstein/HalvingKernels.h"
+#include "Core/Bernstein/SubdivisionKernels.h"
 #include "Core/Math/Lanes-inl.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ HWY_INLINE void Average(const double* a, double* b, std::size_t count)
 }
 
 /// One line or sheet of coefficients: n + 1 pieces of `stride` numbers, where they are.
-HWY_INLINE void HalveInPlace(std::size_t n, std::size_t stride, double* b, double* u)
+HWY_INLINE void SubdivideInPlace(std::size_t n, std::size_t stride, double* b, double* u)
 {
   const auto copy = [&](std::size_t to) PIXELEXACT_INLINED
   {
@@ -53,7 +53,7 @@ HWY_INLINE void HalveInPlace(std::size_t n, std::size_t stride, double* b, doubl
 /// All sweeps of a pack of lines side by side, from coefficients in `line` to the lower half's,
 /// with the upper half's left in `upper`: n + 1 packs each, `stride` apart. Two sweeps at once, so
 /// that what the first makes stays in registers.
-HWY_INLINE void HalveLines(std::size_t n, double* line, double* upper, std::size_t stride)
+HWY_INLINE void SubdivideLines(std::size_t n, double* line, double* upper, std::size_t stride)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const Lanes half = Traits::Splat(0.5);
@@ -110,7 +110,7 @@ private:
 };
 
 /// One sheet of coefficients: n + 1 rows of `stride` numbers, which is no less than a pack.
-HWY_INLINE void HalveSheet(
+HWY_INLINE void SubdivideSheet(
   std::size_t n, std::size_t stride, LineBuffers& buffers, double* b, double* u)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
@@ -121,9 +121,9 @@ HWY_INLINE void HalveSheet(
       Store(Traits::Load(b + i * stride + column), to + i * lanes);
     }
   };
-  const auto halve = [&](std::size_t column, double* line) PIXELEXACT_INLINED
+  const auto subdivide = [&](std::size_t column, double* line) PIXELEXACT_INLINED
   {
-    HalveLines(n, line, u + column, stride);
+    SubdivideLines(n, line, u + column, stride);
     for (std::size_t i = 0; i <= n; ++i)
     {
       Store(Traits::Load(line + i * lanes), b + i * stride + column);
@@ -135,13 +135,13 @@ HWY_INLINE void HalveSheet(
   for (std::size_t column = 0; column < last; column += lanes)
   {
     load(column, buffers.First());
-    halve(column, buffers.First());
+    subdivide(column, buffers.First());
   }
-  halve(last, buffers.Second());
+  subdivide(last, buffers.Second());
 }
 
 /// Lines whose coefficients lie next to each other or nearly so, a pack of lines at a time.
-HWY_INLINE void HalveNarrow(
+HWY_INLINE void SubdivideNarrow(
   std::size_t n, std::size_t stride, LineBuffers& buffers, double* b, double* u, std::size_t size)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
@@ -175,7 +175,7 @@ HWY_INLINE void HalveNarrow(
         line[i * lanes + k] = line[i * lanes];
       }
     }
-    HalveLines(n, line, upper, lanes);
+    SubdivideLines(n, line, upper, lanes);
     for (std::size_t k = 0; k < used; ++k)
     {
       for (std::size_t i = 0; i <= n; ++i)
@@ -187,7 +187,7 @@ HWY_INLINE void HalveNarrow(
   }
 }
 
-void HalveAll(int degree, std::size_t stride, double* b, double* u, std::size_t size)
+void SubdivideAll(int degree, std::size_t stride, double* b, double* u, std::size_t size)
 {
   // Few sweeps cost less than packing.
   constexpr std::size_t kFew = 7;
@@ -197,19 +197,19 @@ void HalveAll(int degree, std::size_t stride, double* b, double* u, std::size_t 
   {
     for (std::size_t start = 0; start < size; start += block)
     {
-      HalveInPlace(n, stride, b + start, u + start);
+      SubdivideInPlace(n, stride, b + start, u + start);
     }
     return;
   }
   LineBuffers buffers(n);
   if (stride < static_cast<std::size_t>(LaneCount()))
   {
-    HalveNarrow(n, stride, buffers, b, u, size);
+    SubdivideNarrow(n, stride, buffers, b, u, size);
     return;
   }
   for (std::size_t start = 0; start < size; start += block)
   {
-    HalveSheet(n, stride, buffers, b + start, u + start);
+    SubdivideSheet(n, stride, buffers, b + start, u + start);
   }
 }
 } // namespace pixelexact::HWY_NAMESPACE
@@ -218,9 +218,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace pixelexact
 {
-HWY_EXPORT(HalveAll);
+HWY_EXPORT(SubdivideAll);
 
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+void Subdivide(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
   std::span<double> upper)
 {
   std::size_t stride = 1;
@@ -228,7 +228,7 @@ void Halve(const std::array<int, 3>& degree, int direction, std::span<double> be
   {
     stride *= static_cast<std::size_t>(degree[static_cast<std::size_t>(d)] + 1);
   }
-  HWY_DYNAMIC_DISPATCH(HalveAll)
+  HWY_DYNAMIC_DISPATCH(SubdivideAll)
   (degree[static_cast<std::size_t>(direction)], stride, bernstein.data(), upper.data(),
     bernstein.size());
 }

@@ -12,7 +12,7 @@ VIEW = View([0.0, 0.0, 6.0], [0.0, 0.0, 0.1], [0.0, 1.0, 0.0], 101, 90, angle=30
 CUT = ["--field", "u", "--plane", "z=0.1"]
 
 
-class Knobs(ToolTest):
+class QualitySettings(ToolTest):
     def render(self, path, *options, cut=CUT):
         buffers = self.folder / "b.vti"
         summary = self.summary(
@@ -25,7 +25,7 @@ class Knobs(ToolTest):
         return (self.folder / "i.png").read_bytes()
 
 
-class Stride(Knobs):
+class Stride(QualitySettings):
     def test_blocks_show_their_middle_pixel(self):
         path = case("toroid_hex_g3_p6")
         _, every = self.render(path)
@@ -57,7 +57,7 @@ class Stride(Knobs):
         self.fails(2, *arguments, names=["--stride"])
 
 
-class Truncated(Knobs):
+class Truncated(QualitySettings):
     def test_the_change_is_within_its_bound(self):
         for name in ["toroid_hex_g3_p6", "toroid_prism_g3_p4", "escher_tet_g3_p3"]:
             path = case(name)

@@ -23,19 +23,19 @@ struct ShotOptions;
 
 /// What of the exact picture is given up to be faster, and told with it: --stride,
 /// --truncate-order.
-class KnobOptions
+class QualityOptions
 {
 public:
   /// The order is set in the shot's input.
   void AddTo(CLI::App& command, ShotOptions& shot);
 
   /// Pixels across a block that is traced once; 1: each is.
-  [[nodiscard]] int Stride() const { return TheStride; }
+  [[nodiscard]] int Stride() const { return stride_; }
   /// Throws UsageError for options that ask for more than blocks have.
   void Check(const CLI::App& command) const;
 
 private:
-  int TheStride = 1;
+  int stride_ = 1;
 };
 
 /// A component of a field that a shot shows without its top modes.
@@ -54,7 +54,7 @@ struct TruncatedField
 std::vector<TruncatedField> TruncatedFields(const Shot& shot);
 
 /// What was given up for a picture.
-struct KnobFacts
+struct QualityFacts
 {
   int stride = 1;
   std::vector<TruncatedField> fields;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/Surfaces/Curved/PieceReferee.h"
+#include "Trace/Surfaces/Curved/PieceFallback.h"
 
 #include "Core/Bernstein/RootFinder.h"
 #include "Core/Math/Rounding.h"
@@ -17,7 +17,7 @@ namespace
 constexpr int kBoxes = 500;
 constexpr int kBoxesAtOnce = 20;
 /// A piece's polynomials cost this part of what its halves cost.
-constexpr std::int64_t kPartOfHalves = 4;
+constexpr std::int64_t kPartOfChildren = 4;
 /// Estimated, in nanoseconds: a box of the root finder, and each coefficient of an equation.
 constexpr std::int64_t kCostOfBox = 2000;
 constexpr std::int64_t kCostOfCoefficient = 14;
@@ -64,7 +64,7 @@ class PieceSystem
 public:
   PieceSystem(Shape shape, const RayBundle& bundle, const CurvedPiece& piece,
     const std::vector<BoxPolynomial>& polys)
-    : TheShape(shape)
+    : shape_(shape)
     , Bundle(bundle)
     , Piece(piece)
     , Polys(polys)
@@ -128,11 +128,11 @@ public:
       const double upper = Piece.box.upper[d];
       eta[d] = std::clamp(lower + at[v] * (upper - lower), lower, upper);
     }
-    return TensorToReference(TheShape, eta);
+    return TensorToReference(shape_, eta);
   }
 
 private:
-  Shape TheShape;
+  Shape shape_;
   const RayBundle& Bundle;
   const CurvedPiece& Piece;
   const std::vector<BoxPolynomial>& Polys;
@@ -162,7 +162,7 @@ void FindHits(const MetPart& met, PieceSolver& solver, const OpenPiece& open, Ed
   // A magnitude's equation is no polynomial that is kept.
   const bool isMagnitude = equation.field != nullptr && equation.component == kMagnitude;
   if (isMagnitude || open.piece->plateau || AreBlurred(met.bundle, equation.mesh, met.part) ||
-    !work.Affords(met.tree.SplitCost() / kPartOfHalves))
+    !work.Affords(met.tree.SplitCost() / kPartOfChildren))
   {
     AddUndecided(met.bundle, met.rays, solver, open, hits);
     return;

@@ -11,6 +11,6 @@ namespace pixelexact
 /// (de Casteljau): `bernstein` becomes the lower half's, `upper` the upper half's. Rounding adds at
 /// most gamma(degree[d]) max |b|. Several functions may lie one after the other. The same bits on
 /// each instruction set.
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+void Subdivide(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
   std::span<double> upper);
 } // namespace pixelexact

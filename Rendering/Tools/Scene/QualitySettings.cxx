@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Knobs.h"
+#include "Scene/QualitySettings.h"
 
 #include "Base/Command.h"
 #include "Base/Report.h"
@@ -19,15 +19,15 @@
 
 namespace pixelexact
 {
-void KnobOptions::AddTo(CLI::App& command, ShotOptions& shot)
+void QualityOptions::AddTo(CLI::App& command, ShotOptions& shot)
 {
-  Bind(command, "--stride", TheStride);
+  Bind(command, "--stride", stride_);
   Bind(command, "--truncate-order", shot.input.truncateOrder);
 }
 
-void KnobOptions::Check(const CLI::App& command) const
+void QualityOptions::Check(const CLI::App& command) const
 {
-  if (TheStride == 1)
+  if (stride_ == 1)
   {
     return;
   }
@@ -78,7 +78,7 @@ std::vector<TruncatedField> TruncatedFields(const Shot& shot)
   return fields;
 }
 
-std::vector<std::string> KnobFacts::Texts() const
+std::vector<std::string> QualityFacts::Texts() const
 {
   std::vector<std::string> texts;
   if (stride > 1)
@@ -97,7 +97,7 @@ std::vector<std::string> KnobFacts::Texts() const
   return texts;
 }
 
-void KnobFacts::AddTo(Table& table) const
+void QualityFacts::AddTo(Table& table) const
 {
   std::string name = "given up";
   for (const std::string& text : Texts())
@@ -107,7 +107,7 @@ void KnobFacts::AddTo(Table& table) const
   }
 }
 
-void KnobFacts::AddTo(nlohmann::ordered_json& summary) const
+void QualityFacts::AddTo(nlohmann::ordered_json& summary) const
 {
   if (stride > 1)
   {

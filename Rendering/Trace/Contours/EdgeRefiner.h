@@ -18,11 +18,11 @@ inline ContourVerdict JoinVerdicts(ContourVerdict a, ContourVerdict b)
 }
 
 /// Settles a tile's edges, and halves those that are open.
-class EdgeSettler
+class EdgeRefiner
 {
 public:
   /// `states`: of all edges; those that are in stay so. All must outlive it.
-  EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
+  EdgeRefiner(LayerSight& sight, const EdgeClassifier& classifier, const ContourMethod& method,
     std::span<ContourVerdict> states, ContourCounters& counted);
 
   /// Edges of a row or a column, one after the other. `peeks`: a corner of a pixel at the edge
@@ -32,7 +32,7 @@ public:
   void EndRow();
   /// Edges that are open become undecided here.
   void MarkOpen(std::span<ContourVerdict> states) const;
-  /// Halves what is open.
+  /// Children what is open.
   void Refine();
 
 private:
@@ -44,14 +44,14 @@ private:
     bool peeks = false;
   };
 
-  /// Of its ends that are on the layer; see EdgeJudge.
+  /// Of its ends that are on the layer; see EdgeClassifier.
   [[nodiscard]] int SideOf(const Part& part) const;
   /// Whether the values of two elements lie on either side of one: it is between them even if none
   /// takes it.
   [[nodiscard]] bool MayJump(const Part& part) const;
-  [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
+  [[nodiscard]] EdgeFinding ClassifyWithin(const Part& part) const;
   /// Of one that is Uncovered: Out where all that it may meet stays on its side.
-  [[nodiscard]] EdgeFinding JudgeBeyond(const Part& part) const;
+  [[nodiscard]] EdgeFinding ClassifyBeyond(const Part& part) const;
   /// Whether none of all that its rays may meet takes a value, so that it is out whatever they see:
   /// beside silhouettes, and where the surface ends.
   [[nodiscard]] bool ShowsNoValue(const Part& part) const;
@@ -60,7 +60,7 @@ private:
   void Settle(const Part& part, EdgeFinding finding, int level);
 
   LayerSight& Sight;
-  const EdgeJudge& Judge;
+  const EdgeClassifier& Classifier;
   ContourMethod Method;
   bool IsPlane;
   std::span<ContourVerdict> States;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Contours/EdgeClassifier.h"
 
 #include "Core/Math/Rounding.h"
 
@@ -50,8 +50,8 @@ double SlackOf(std::span<const Vec3> corners)
   return 16.0 * kUnitRoundoff * largest;
 }
 
-EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
-  std::span<const int> elements)
+EdgeClassifier::EdgeClassifier(const LayerBounds& bounds, std::span<const double> values,
+  EdgeWork* work, std::span<const int> elements)
   : Bounds(bounds)
   , Wanted{ values }
   , Work(work)
@@ -68,7 +68,8 @@ EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, 
   std::ranges::sort(Near, {}, &Element::number);
 }
 
-EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work)
+EdgeClassifier::EdgeClassifier(
+  const LayerBounds& bounds, std::span<const double> values, EdgeWork* work)
   : Bounds(bounds)
   , Wanted{ values }
   , Work(work)
@@ -77,7 +78,7 @@ EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, 
 {
 }
 
-EdgeJudge::Element EdgeJudge::MakeElement(int element) const
+EdgeClassifier::Element EdgeClassifier::MakeElement(int element) const
 {
   const EdgeBounds& own = Bounds.Of(element);
   const Interval& range = own.Values();
@@ -85,12 +86,12 @@ EdgeJudge::Element EdgeJudge::MakeElement(int element) const
     Wanted.Meets(range.lower, range.upper) ? kNoSide : SideOf(range.lower) };
 }
 
-int EdgeJudge::SideOf(double value) const
+int EdgeClassifier::SideOf(double value) const
 {
   return static_cast<int>(std::ranges::lower_bound(Wanted.values, value) - Wanted.values.begin());
 }
 
-std::int64_t EdgeJudge::SampleCost(const EdgeEnd& a, const EdgeEnd& b) const
+std::int64_t EdgeClassifier::SampleCost(const EdgeEnd& a, const EdgeEnd& b) const
 {
   std::int64_t most = 0;
   for (const EdgeEnd* end : { &a, &b })
@@ -103,7 +104,7 @@ std::int64_t EdgeJudge::SampleCost(const EdgeEnd& a, const EdgeEnd& b) const
   return most;
 }
 
-void EdgeJudge::SpendOnUnknown() const
+void EdgeClassifier::SpendOnUnknown() const
 {
   if (Work)
   {
@@ -111,13 +112,13 @@ void EdgeJudge::SpendOnUnknown() const
   }
 }
 
-EdgeEffort EdgeJudge::With(EdgeEffort effort) const
+EdgeEffort EdgeClassifier::With(EdgeEffort effort) const
 {
   effort.work = Work;
   return effort;
 }
 
-ValueSet EdgeJudge::NotOn(int side) const
+ValueSet EdgeClassifier::NotOn(int side) const
 {
   const auto above = static_cast<std::size_t>(side);
   ValueSet others;
@@ -126,7 +127,8 @@ ValueSet EdgeJudge::NotOn(int side) const
   return others;
 }
 
-EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
+EdgeFinding EdgeClassifier::Within(
+  const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
   const EdgeBounds& bounds = Bounds.Of(a.element);
   const auto range = std::isfinite(edge.sagitta)
@@ -159,25 +161,25 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   return EdgeFinding::Open;
 }
 
-bool EdgeJudge::MayTouch(const EdgeEnd& end) const
+bool EdgeClassifier::MayTouch(const EdgeEnd& end) const
 {
   const double value = end.point.value;
   const double error = Bounds.Of(end.element).ChangeWithin(end.point, 0.0, Work);
   return std::isfinite(error) && Wanted.Meets(value - error, value + error);
 }
 
-const Interval& EdgeJudge::HeldOnPlane(int element) const
+const Interval& EdgeClassifier::HeldOnPlane(int element) const
 {
   const auto found = OnPlane.find(element);
   return found != OnPlane.end()
     ? found->second
     : OnPlane
         .emplace(element,
-          Bounds.PlateausOf(element).OnPlane(ThePlane->Through(), ThePlane->Normal(SurfacePoint{})))
+          Bounds.PlateausOf(element).OnPlane(plane_->Through(), plane_->Normal(SurfacePoint{})))
         .first->second;
 }
 
-bool EdgeJudge::IsOnPlateau(const EdgeEnd& end) const
+bool EdgeClassifier::IsOnPlateau(const EdgeEnd& end) const
 {
   if (IsHeld)
   {
@@ -192,10 +194,10 @@ bool EdgeJudge::IsOnPlateau(const EdgeEnd& end) const
   { return held.lower <= held.upper && Wanted.Meets(held.lower, held.upper); };
   const ElementPlateaus& plateaus = Bounds.PlateausOf(end.element);
   return holds(plateaus.InElement()) || (end.face >= 0 && holds(plateaus.OnFace(end.face))) ||
-    (ThePlane != nullptr && holds(HeldOnPlane(end.element)));
+    (plane_ != nullptr && holds(HeldOnPlane(end.element)));
 }
 
-EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
+EdgeFinding EdgeClassifier::Across(const EdgeEnd& a, const EdgeEnd& b) const
 {
   const EdgeBounds& ofA = Bounds.Of(a.element);
   const EdgeBounds& ofB = Bounds.Of(b.element);
@@ -206,7 +208,7 @@ EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
   return IsBetween(lower, upper, error) ? EdgeFinding::In : EdgeFinding::Open;
 }
 
-bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
+bool EdgeClassifier::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
 {
   if (!std::isfinite(edge.sagitta))
   {
@@ -216,7 +218,7 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
   return StaysOn(side, ElementsAt(region), region, With(thorough ? kForEdges : EdgeEffort{}));
 }
 
-bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
+bool EdgeClassifier::StaysOn(int side, const Outline& part, double sagitta) const
 {
   if (!std::isfinite(sagitta))
   {
@@ -226,7 +228,7 @@ bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
   return StaysOn(side, ElementsAt(region), region, With(kForSquares));
 }
 
-std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& region) const
+std::span<const EdgeClassifier::Element> EdgeClassifier::ElementsAt(const WideOutline& region) const
 {
   const Box3 box = BoxOf(region);
   Found.clear();
@@ -248,7 +250,7 @@ std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& reg
   return Found;
 }
 
-bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+bool EdgeClassifier::StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
   const EdgeEffort& effort) const
 {
   if (side != kNoSide)
@@ -278,7 +280,7 @@ bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideO
   return tried.empty();
 }
 
-std::optional<PlanarValues> EdgeJudge::Over(
+std::optional<PlanarValues> EdgeClassifier::Over(
   const std::array<EdgeEnd, 3>& ends, const Outline& part) const
 {
   return Bounds.Of(ends[0].element)
@@ -286,20 +288,20 @@ std::optional<PlanarValues> EdgeJudge::Over(
       Wanted, Work);
 }
 
-bool EdgeJudge::BlockStaysOn(int side, const Outline& part, bool thorough) const
+bool EdgeClassifier::BlockStaysOn(int side, const Outline& part, bool thorough) const
 {
   const WideOutline region{ part, SlackOf(part.Corners()) };
   return StaysOn(side, ElementsAt(region), region, With(thorough ? kForEdges : kForBlocks));
 }
 
-bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
+bool EdgeClassifier::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 {
   const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
   // What is not finite has no values.
   return std::isfinite(lower) && std::isfinite(upper) && Wanted.Meets(lower, upper);
 }
 
-bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
+bool EdgeClassifier::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
   const double distance = glm::distance(edge.from, edge.to) + RegionOf(edge).slack;
   const double change = Bounds.Of(a.element).ChangeWithin(a.point, distance, Work) +
