@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderFileReader.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/SolverGrid.h"
 #include "Formats/FileText.h"
@@ -32,6 +33,8 @@ void vtkHighOrderFileReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName.empty() ? "none" : this->FileName) << "\n";
+  os << indent << "Cells: " << (this->Cells == CORNER_CELLS ? "corners" : "Lagrange") << "\n";
+  os << indent << "MaximumNumberOfNodes: " << this->MaximumNumberOfNodes << "\n";
   os << indent << "Steps: " << this->Times.size() << "\n";
 }
 
@@ -98,6 +101,28 @@ int vtkHighOrderFileReader::RequestedStep(vtkInformation* output)
   return std::max(0, static_cast<int>(after - this->Times.begin()) - 1);
 }
 
+CellLayout vtkHighOrderFileReader::ChooseLayout(const Mesh& mesh, const SolverModel& model)
+{
+  this->LayoutNote.clear();
+  if (this->Cells == CORNER_CELLS)
+  {
+    return CornerLayout(mesh);
+  }
+  CellLayout layout = NodeLayout(mesh, model.fields);
+  const std::int64_t nodes = layout.NodeCount(mesh);
+  if (nodes <= this->MaximumNumberOfNodes)
+  {
+    return layout;
+  }
+  this->LayoutNote = "VTK's cells are linear, between the elements' vertices, since Lagrange cells "
+                     "would have " +
+    Counted(nodes, "node") + " and MaximumNumberOfNodes is " +
+    std::to_string(this->MaximumNumberOfNodes) +
+    "; PixelExact's classes use the coefficients all the same; for VTK's filters raise that "
+    "number.";
+  return CornerLayout(mesh);
+}
+
 SolverModel vtkHighOrderFileReader::ReadPart(int step, bool wantMesh)
 {
   SolverModel model;
@@ -160,7 +185,9 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     if (wantMesh)
     {
       this->MeshGrid = vtkSmartPointer<vtkHighOrderGrid>::New();
-      StoreSolverMesh(std::move(model.mesh), this->MeshGrid);
+      this->MeshLayout = std::make_unique<CellLayout>(StoreSolverMesh(
+        std::move(model.mesh), [&](const Mesh& mesh) { return this->ChooseLayout(mesh, model); },
+        this->MeshGrid));
       StoreParameters(model.parameters, this->MeshGrid);
       this->MeshTime.Modified();
       this->MeshStep = step;
@@ -175,7 +202,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     this->UpdateProgress(0.8);
     for (auto& field : model.fields)
     {
-      StoreSolverField(std::move(field), output);
+      StoreSolverField(std::move(field), *this->MeshLayout, output);
     }
     ReturnFreedMemory();
     if (!this->Times.empty())
@@ -185,6 +212,10 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     for (const auto& line : model.notes)
     {
       this->Report(line);
+    }
+    if (!this->LayoutNote.empty())
+    {
+      this->Report(this->LayoutNote);
     }
     return 1;
   }

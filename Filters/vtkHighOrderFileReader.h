@@ -4,12 +4,10 @@
  * @brief   what the readers of solvers' own files have in common
  *
  * Output is a vtkHighOrderGrid: every coefficient of the files, in the canonical bases, and beside
- * them VTK's linear cells between the elements' vertices. Its arrays: CellData `Attribute` and
- * `BoundaryAttribute` (per face of the cell, the first that it has, -1: none), and per field its
- * values at the vertices (PointData, where the field is continuous by construction) or at the
- * elements' centres (CellData). These serve VTK's own drawing and selection; what this project
- * computes comes from the coefficients, and boundary attributes from a list that holds all
- * (data-set.md).
+ * them VTK's cells with the fields' values at their points (see SetCells). Other arrays: CellData
+ * `Attribute` and `BoundaryAttribute` (per face of the cell, the first that it has, -1: none).
+ * VTK's own filters use the cells; what this project computes comes from the coefficients, and
+ * boundary attributes from a list that holds all (data-set.md).
  *
  * A new time step keeps the mesh's arrays, and with them the locator, where steps share a mesh;
  * after Modified() the mesh is read anew. Where files hold times, they are the steps of the
@@ -36,6 +34,7 @@
 #include "vtkSmartPointer.h" // for the mesh
 #include "vtkTimeStamp.h"    // for its age
 
+#include <memory> // for the layout
 #include <string> // for names
 #include <vector> // for names
 
@@ -43,8 +42,10 @@ class vtkHighOrderGrid;
 
 namespace pixelexact
 {
+struct CellLayout;
+struct Mesh;
 struct SolverModel;
-}
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderFileReader : public vtkHighOrderGridAlgorithm
 {
@@ -58,6 +59,40 @@ public:
    */
   virtual void SetFileName(const char* name);
   virtual const char* GetFileName();
+  ///@}
+
+  /// The cells that the output has beside the coefficients.
+  enum CellKinds
+  {
+    LAGRANGE_CELLS = 0,
+    CORNER_CELLS = 1
+  };
+
+  ///@{
+  /**
+   * LAGRANGE_CELLS, the default: VTK's Lagrange cells, whose degrees hold the geometry and the
+   * fields, at most 10 (VTK's limit), with fields as point data. Elements share points unless a
+   * field is discontinuous. VTK's filters then work on the polynomials' nodal interpolants, which
+   * are the polynomials themselves for straight or curved hexahedra, prisms and tetrahedra up to
+   * degree 10. Pyramids stay linear cells, since VTK has no Lagrange pyramid. Steps of a file have
+   * the cells of the step that was read first.
+   *
+   * CORNER_CELLS: linear cells between the elements' vertices. Fields are point data at the
+   * vertices, or, where they are discontinuous, one value per cell. They take the least memory and
+   * time, and serve where nothing but this project's classes uses the output.
+   */
+  vtkSetClampMacro(Cells, int, LAGRANGE_CELLS, CORNER_CELLS);
+  vtkGetMacro(Cells, int);
+  ///@}
+
+  ///@{
+  /**
+   * With more nodes, counted per cell, Lagrange cells give way to corner cells, and GetDiagnostic()
+   * says so. Default 4,000,000, which take some 130 MB, and 32 MB more for each component of each
+   * field.
+   */
+  vtkSetClampMacro(MaximumNumberOfNodes, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfNodes, vtkIdType);
   ///@}
 
   /**
@@ -107,12 +142,17 @@ private:
   vtkHighOrderFileReader(const vtkHighOrderFileReader&) = delete;
   void operator=(const vtkHighOrderFileReader&) = delete;
 
+  pixelexact::CellLayout ChooseLayout(
+    const pixelexact::Mesh& mesh, const pixelexact::SolverModel& model);
   pixelexact::SolverModel ReadPart(int step, bool wantMesh);
   int RequestedStep(vtkInformation* output);
 
+  int Cells = LAGRANGE_CELLS;
+  vtkIdType MaximumNumberOfNodes = 4'000'000;
   std::vector<double> Times;
-  std::vector<std::string> MeshNotes;
   vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; what steps share
+  std::unique_ptr<pixelexact::CellLayout> MeshLayout;
+  std::string LayoutNote; ///< why the cells are not those that were asked for; may be empty
   vtkTimeStamp MeshTime;
   int MeshStep = 0; ///< whose mesh it is, where steps have their own
   int MeshPiece = 0;

@@ -33,28 +33,87 @@ bool HasArray(vtkDataSetAttributes* data, const std::string& name)
   return data->GetArray(name.c_str()) != nullptr;
 }
 
-/// What a linear cell and the values beside it hold of an expansion.
-class LinearHold
+/// The largest degree of a Lagrange cell, from its HigherOrderDegrees or its number of points.
+int LagrangeDegree(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  const vtkIdType points = grid->GetCells()->GetCellSize(cell);
+  if (vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
+      degrees != nullptr && grid->GetCellType(cell) != VTK_LAGRANGE_TETRAHEDRON)
+  {
+    return static_cast<int>(std::max({ degrees->GetComponent(cell, 0),
+      degrees->GetComponent(cell, 1), degrees->GetComponent(cell, 2) }));
+  }
+  const auto pointsOf = [type = grid->GetCellType(cell)](vtkIdType n)
+  {
+    return type == VTK_LAGRANGE_TETRAHEDRON ? (n + 1) * (n + 2) * (n + 3) / 6
+      : type == VTK_LAGRANGE_WEDGE          ? (n + 1) * (n + 1) * (n + 2) / 2
+                                            : (n + 1) * (n + 1) * (n + 1);
+  };
+  int degree = 1;
+  while (pointsOf(degree) < points)
+  {
+    ++degree;
+  }
+  return degree;
+}
+
+/// Whether it is a solid Lagrange cell.
+bool IsLagrange(int cellType)
+{
+  return cellType == VTK_LAGRANGE_HEXAHEDRON || cellType == VTK_LAGRANGE_WEDGE ||
+    cellType == VTK_LAGRANGE_TETRAHEDRON;
+}
+
+/// Which orders of an expansion the cells and the values beside them hold.
+class HeldOrders
 {
 public:
   /// Of a map (empty name) or of a field with this name, origin and mapping.
-  LinearHold(vtkUnstructuredGrid* grid, const std::string& name, Origin origin, Mapping mapping)
+  HeldOrders(vtkUnstructuredGrid* grid, const std::string& name, Origin origin, Mapping mapping)
+    : Grid(grid)
+    , IsFromSolver(IsSolvers(origin))
   {
     const bool isOld = origin == Origin::Coefficients; // which array shows the field is not stored
     const bool atPoints =
       name.empty() || (isOld ? HasArray(grid->GetPointData(), name) : IsAtPoints(origin));
     const bool isShown = name.empty() ||
       (atPoints ? HasArray(grid->GetPointData(), name) : HasArray(grid->GetCellData(), name));
-    // Values at vertices are not enough for a field whose values follow the map's derivatives.
-    Held = !isShown ? kAny : mapping != Mapping::Identity ? -1 : atPoints ? 1 : 0;
+    // Values at points are not enough for a field whose values follow the map's derivatives.
+    Values = !isShown                ? Shown::Nowhere
+      : mapping != Mapping::Identity ? Shown::Mapped
+      : atPoints                     ? Shown::AtPoints
+                                     : Shown::PerCell;
   }
 
-  /// The order where it is lost, else -1.
-  [[nodiscard]] int Lost(int order) const { return order > Held ? order : -1; }
+  /// The order where a cell loses it, else -1.
+  [[nodiscard]] int Lost(vtkIdType cell, int order) const
+  {
+    const int type = Grid->GetCellType(cell);
+    const bool isLagrange = IsLagrange(type);
+    // Cells of other kinds, and Lagrange cells of a file, are what the expansion was made from.
+    if (Values == Shown::Nowhere || (isLagrange ? !IsFromSolver : !IsLinear(type)))
+    {
+      return -1;
+    }
+    const int held = Values == Shown::Mapped ? -1
+      : Values == Shown::PerCell             ? 0
+      : isLagrange                           ? LagrangeDegree(Grid, cell)
+                                             : 1;
+    return order > held ? order : -1;
+  }
 
 private:
-  static constexpr int kAny = 255;
-  int Held = kAny;
+  enum class Shown : std::uint8_t
+  {
+    Nowhere,
+    Mapped,
+    AtPoints,
+    PerCell
+  };
+
+  vtkUnstructuredGrid* Grid;
+  bool IsFromSolver;
+  Shown Values = Shown::Nowhere;
 };
 
 using LostOrders = std::vector<int>; ///< per cell; -1: nothing is lost
@@ -62,15 +121,12 @@ using LostOrders = std::vector<int>; ///< per cell; -1: nothing is lost
 /// `orderOf(cell)`: the largest order of the expansion there.
 template <class OrderOf>
 void AddLost(
-  vtkUnstructuredGrid* grid, const LinearHold& hold, const OrderOf& orderOf, LostOrders& lost)
+  vtkUnstructuredGrid* grid, const HeldOrders& held, const OrderOf& orderOf, LostOrders& lost)
 {
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (IsLinear(grid->GetCellType(cell)))
-    {
-      int& own = lost[static_cast<std::size_t>(cell)];
-      own = std::max(own, hold.Lost(orderOf(cell)));
-    }
+    int& own = lost[static_cast<std::size_t>(cell)];
+    own = std::max(own, held.Lost(cell, orderOf(cell)));
   }
 }
 
@@ -106,7 +162,7 @@ void AddStored(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& l
     highest = std::max(highest, LargestOrder(spaces, i));
   }
   vtkDataArray* ids = grid->GetCellData()->GetArray(kElementIds);
-  const LinearHold hold(grid, name, static_cast<Origin>(FirstNumber(data, prefix + "Origin")),
+  const HeldOrders held(grid, name, static_cast<Origin>(FirstNumber(data, prefix + "Origin")),
     static_cast<Mapping>(FirstNumber(data, prefix + "Mapping")));
   const auto orderOf = [&](vtkIdType cell)
   {
@@ -117,7 +173,7 @@ void AddStored(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& l
     return space >= 0 && space < spaces->GetNumberOfTuples() ? LargestOrder(spaces, space)
                                                              : highest;
   };
-  AddLost(grid, hold, orderOf, lost);
+  AddLost(grid, held, orderOf, lost);
 }
 
 /// Of packed coefficients.
@@ -132,10 +188,10 @@ void AddPacked(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& l
   }
   const auto first = [spaces](int number)
   { return static_cast<int>(spaces->GetComponent(0, number)); };
-  const LinearHold hold(grid, name, static_cast<Origin>(first(kPackedOrigin)),
+  const HeldOrders held(grid, name, static_cast<Origin>(first(kPackedOrigin)),
     static_cast<Mapping>(first(kPackedOrigin + 1)));
   AddLost(
-    grid, hold, [&](vtkIdType cell) { return LargestOrder(spaces, cell); }, lost);
+    grid, held, [&](vtkIdType cell) { return LargestOrder(spaces, cell); }, lost);
 }
 
 /// What is left of kLinearizedOrder; filters may have averaged it or made it point data.

@@ -2,6 +2,7 @@
 #include "vtkPixelExactReader.h"
 
 #include "HighOrderArrays.h"
+#include "vtkHighOrderFileReader.h"
 
 #include "Core/Base/Error.h"
 
@@ -69,6 +70,8 @@ void vtkPixelExactReader::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "FileName: " << name << "\n";
   }
+  os << indent << "Cells: " << this->Cells << "\n";
+  os << indent << "MaximumNumberOfNodes: " << this->MaximumNumberOfNodes << "\n";
   this->Fields->PrintSelf(os, indent.GetNextIndent());
 }
 
@@ -140,6 +143,11 @@ int vtkPixelExactReader::RequestInformation(
     if (this->PrepareTime < this->GetMTime())
     {
       this->Prepare();
+      if (auto* reader = vtkHighOrderFileReader::SafeDownCast(this->GetSource()))
+      {
+        reader->SetCells(this->Cells);
+        reader->SetMaximumNumberOfNodes(this->MaximumNumberOfNodes);
+      }
       this->PrepareTime.Modified();
     }
   }

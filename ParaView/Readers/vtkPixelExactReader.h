@@ -36,6 +36,16 @@ public:
   void RemoveAllFileNames();
   ///@}
 
+  ///@{
+  /**
+   * Those of vtkHighOrderFileReader, for files that one of its subclasses reads.
+   */
+  vtkSetMacro(Cells, int);
+  vtkGetMacro(Cells, int);
+  vtkSetMacro(MaximumNumberOfNodes, vtkIdType);
+  vtkGetMacro(MaximumNumberOfNodes, vtkIdType);
+  ///@}
+
   /**
    * Whether a file's content is of the reader's kind (1) or not (0); ParaView asks all readers of a
    * suffix, and offers those that say 1.
@@ -85,6 +95,8 @@ private:
   vtkPixelExactReader(const vtkPixelExactReader&) = delete;
   void operator=(const vtkPixelExactReader&) = delete;
 
+  int Cells = 0;
+  vtkIdType MaximumNumberOfNodes = 4'000'000;
   vtkNew<vtkDataArraySelection> Fields;
   vtkTimeStamp PrepareTime;
 };

@@ -280,12 +280,15 @@ PyObject* Read(PyObject* /*module*/, PyObject* arguments)
   PyObject* files = nullptr;
   PyObject* callable = Py_None;
   int step = 0;
+  int cornerCells = 0;
   pixelexact::InputRequest request;
-  if (!PyArg_ParseTuple(arguments, "OiO", &files, &step, &callable) || !ParseFiles(files, request))
+  if (PyArg_ParseTuple(arguments, "OipO", &files, &step, &cornerCells, &callable) == 0 ||
+    !ParseFiles(files, request))
   {
     return nullptr;
   }
   request.step = step;
+  request.cornerCells = cornerCells != 0;
   ProgressCall call(callable);
   pixelexact::InputGrid input;
   const bool isRead = ReadFiles(

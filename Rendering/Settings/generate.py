@@ -7,6 +7,7 @@
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
     generate.py readers TEMPLATE.in OUT ParaView's readers, with the suffixes of <ReaderFactory reader="..."
+                                        and the properties of <CellProperties />
     generate.py page PAGE.md            the table of formats, in place of the one in files.md
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
@@ -119,6 +120,33 @@ def write_python_formats(out):
     )
 
 
+# Properties of the readers of solvers' own files (vtkHighOrderFileReader).
+CELL_PROPERTIES = """\
+      <IntVectorProperty name="Cells"
+                         command="SetCells"
+                         animateable="0"
+                         number_of_elements="1"
+                         default_values="0">
+        <EnumerationDomain name="enum">
+          <Entry text="Lagrange" value="0" />
+          <Entry text="Corners" value="1" />
+        </EnumerationDomain>
+        <Documentation>The cells that ParaView's own filters work on. Lagrange: of the degrees of geometry and
+        fields, up to 10. Corners: linear cells between the vertices, which take the least memory; pictures of
+        PixelExact are the same.</Documentation>
+      </IntVectorProperty>
+      <IdTypeVectorProperty name="MaximumNumberOfNodes"
+                            label="Maximum Number Of Nodes"
+                            command="SetMaximumNumberOfNodes"
+                            animateable="0"
+                            number_of_elements="1"
+                            default_values="4000000"
+                            panel_visibility="advanced">
+        <Documentation>Above so many nodes the cells are linear, between the vertices, and a message says so.</Documentation>
+      </IdTypeVectorProperty>
+"""
+
+
 def write_readers(template, out):
     hints = formats.paraview_hints()
 
@@ -130,7 +158,7 @@ def write_readers(template, out):
     text = re.sub(r'<ReaderFactory reader="(\w+)"', filled, template.read_text(encoding="utf-8"))
     if hints:
         raise ValueError(f"{template} lacks the readers {sorted(hints)}")
-    out.write_text(text, encoding="utf-8")
+    out.write_text(text.replace("      <CellProperties />\n", CELL_PROPERTIES), encoding="utf-8")
 
 
 def write_page(page):

@@ -62,7 +62,11 @@ def as_high_order(grid: Any, progress: Progress = None) -> vtkHighOrderGrid:
 
 @with_texts("{formats}", FORMATS)
 def read(
-    mesh: Path, *fields: Path, time_step: int = 0, progress: Progress = None
+    mesh: Path,
+    *fields: Path,
+    time_step: int = 0,
+    cells: str = "lagrange",
+    progress: Progress = None,
 ) -> vtkHighOrderGrid:
     """Reads a mesh file and, where the format keeps them apart, its field files.
 
@@ -72,17 +76,21 @@ def read(
 
     What looks wrong in a file is a RuntimeWarning.
 
-    time_step: counted from 0, or from the end where it is negative; see times. progress: a function
+    time_step: counted from 0, or from the end where it is negative; see times. cells: which of VTK's
+    cells the grid of a solver's own file has beside its coefficients, "lagrange" or "corners"
+    (vtkHighOrderFileReader.SetCells); "corners" takes the least memory. progress: a function
     of the part that is done; what it raises ends the work, and so does KeyboardInterrupt.
 
-    Raises FileNotFoundError, ValueError for files that do not go together, IndexError for a step
+    Raises FileNotFoundError, ValueError for files that do not go together and other cells, IndexError for a step
     that is not there, Error with the reader's own words for what it cannot read.
     """
+    if cells not in ("lagrange", "corners"):
+        raise ValueError(f"cells {cells!r}: must be 'lagrange' or 'corners'")
     names = _names(mesh, fields)
     steps = _times_of(names)
     step = _chosen(steps, time_step, mesh)
     try:
-        grid, notes = _run.read(names, step, progress)
+        grid, notes = _run.read(names, step, cells == "corners", progress)
     except _run.CannotRead as error:
         raise Error(str(error)) from None
     for note in notes:

@@ -28,6 +28,7 @@ struct InputRequest
   bool gaussLobatto = false;        ///< where the nodes of VTK's Lagrange cells are, not equispaced
   std::optional<int> truncateOrder; ///< of all fields; none: they stay as they are
   bool mirroredWedges = false;      ///< MFEM's order of the nodes of VTK's Lagrange wedges
+  bool cornerCells = true; ///< of solvers' grids, which have the coefficients; false: Lagrange cells
   bool timesAlone = false;          ///< readers return when they know the times, without a grid
 
   /// Declares INPUT as the command's positional arguments, and the options.

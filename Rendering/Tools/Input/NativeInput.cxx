@@ -41,6 +41,8 @@ InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
   };
   InputGrid input;
   reader.SetFileName(request.files[0].c_str());
+  reader.SetCells(request.cornerCells ? vtkHighOrderFileReader::CORNER_CELLS
+                                      : vtkHighOrderFileReader::LAGRANGE_CELLS);
   reader.UpdateInformation();
   check();
   vtkInformation* information = reader.GetOutputInformation(0);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SolverCells_h
+#define SolverCells_h
+
+#include "Cells/CellNodes.h"
+#include "Formats/SolverModel.h"
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+// VTK's cells of a solver's grid: which nodes they have, where these lie, and the values of fields
+// there.
+namespace pixelexact
+{
+struct Expansion;
+struct Field;
+struct Mesh;
+
+/// Which cell each element becomes.
+struct CellLayout
+{
+  std::vector<CellDegrees> degrees; ///< per element
+  /// Whether elements that meet have their points in common there. Otherwise each has its own, so
+  /// that values may jump.
+  bool sharesPoints = true;
+
+  /// Points of all cells, counted per cell.
+  [[nodiscard]] std::int64_t NodeCount(const Mesh& mesh) const;
+};
+
+/// Linear cells between the elements' vertices.
+[[nodiscard]] CellLayout CornerLayout(const Mesh& mesh);
+
+/// Lagrange cells that hold the map and the fields: per direction the largest degree of them, at
+/// most kMaxCellDegree; linear cells of pyramids, since VTK has no other of their degrees. Elements
+/// share points if all fields of degree 1 or more are continuous.
+[[nodiscard]] CellLayout NodeLayout(const Mesh& mesh, const std::vector<SolverField>& fields);
+
+/// A kind of cell, mirrored where VTK would take its volume for negative otherwise.
+struct CellOfKind
+{
+  CellNodes nodes;
+  bool isMirrored = false;
+  std::vector<Vec3> xi; ///< of the nodes, in the element
+};
+
+/// The cells of a layout by element; those of one kind are made once.
+class LayoutCells
+{
+public:
+  LayoutCells(const Mesh& mesh, const CellLayout& layout);
+  [[nodiscard]] const CellOfKind& Of(int element) const
+  {
+    return *Cells[static_cast<std::size_t>(element)];
+  }
+
+private:
+  std::map<std::tuple<Shape, CellDegrees, bool>, CellOfKind> Kinds;
+  std::vector<const CellOfKind*> Cells;
+};
+
+/// Makes the points and cells of `grid`. `mesh` views `solver`. Nodes of one place on a common
+/// vertex, edge or face are one point where the layout shares points.
+void MakeCells(const SolverMesh& solver, const Mesh& mesh, const CellLayout& layout,
+  const LayoutCells& cells, vtkUnstructuredGrid* grid);
+
+/// Whether a field has degree 0 in all elements, so that a value per cell is all of it.
+[[nodiscard]] bool IsConstantPerElement(const Expansion& values);
+
+/// Adds the field's values at the points of the cells as point data. Where elements share points
+/// they agree up to rounding; the last one's value is kept.
+void AddNodeValues(
+  const Mesh& mesh, const Field& field, const LayoutCells& cells, vtkUnstructuredGrid* grid);
+} // namespace pixelexact
+#endif

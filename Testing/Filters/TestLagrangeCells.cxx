@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK's Lagrange cells beside a solver's elements: VTK's own interpolation in them gives the
+// polynomials of the coefficients.
+#include "Support.h"
+
+#include "Core/Faces/ReferenceFace.h"
+#include "Core/Location/Sample.h"
+#include "HighOrderModel.h"
+#include "vtkMFEMReader.h"
+#include "vtkNektarReader.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCellSizeFilter.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+using namespace pixelexact;
+using namespace pixelexact::testing;
+
+vtkSmartPointer<vtkHighOrderFileReader> ReaderOf(const std::string& name)
+{
+  const std::string stem = PIXELEXACT_DATA_DIR "/" + name + "/" + name;
+  if (name.starts_with("nek"))
+  {
+    const auto reader = vtkSmartPointer<vtkNektarReader>::New();
+    reader->SetFileName((stem + ".xml").c_str());
+    reader->AddFieldFileName((stem + ".fld").c_str());
+    return reader;
+  }
+  const auto reader = vtkSmartPointer<vtkMFEMReader>::New();
+  reader->SetFileName((stem + ".mesh").c_str());
+  reader->AddGridFunctionFileName((std::string(PIXELEXACT_DATA_DIR "/") + name + "/u.gf").c_str());
+  return reader;
+}
+
+/// The largest difference of the interpolation of `u` in VTK's cells from the field at the same
+/// place of the element, over the field's largest value.
+double WorstInterpolation(vtkUnstructuredGrid* grid)
+{
+  const auto model = HighOrderModel::From(grid);
+  const Field& field = model->GetField("u");
+  vtkDataArray* const nodal = grid->GetPointData()->GetArray("u");
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> inside(0.05, 0.3); // also in r + s + t <= 1
+  double worst = 0.0;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType e = 0; e < grid->GetNumberOfCells(); ++e)
+  {
+    grid->GetCell(e, cell);
+    const auto count = static_cast<std::size_t>(cell->GetNumberOfPoints());
+    std::vector<double> weights(count);
+    const double at[3] = { inside(random), inside(random), inside(random) };
+    int part = 0;
+    double x[3];
+    cell->EvaluateLocation(part, at, x, weights.data());
+    double value = 0.0;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      value += weights[k] * nodal->GetComponent(cell->GetPointId(static_cast<int>(k)), 0);
+    }
+    const Vec3 place(x[0], x[1], x[2]);
+    double exact = std::numeric_limits<double>::quiet_NaN();
+    std::int32_t element = -1;
+    SampleTarget target;
+    target.value = { &exact, 1 };
+    target.element = { &element, 1 };
+    SampleTile(model->GetLocator(), &field, std::span(&place, 1), target);
+    EXPECT_EQ(element, e);
+    worst = std::max(worst, std::fabs(exact - value));
+  }
+  double range[2];
+  nodal->GetRange(range);
+  return worst / std::max(std::fabs(range[0]), std::fabs(range[1]));
+}
+
+TEST(LagrangeCells, InterpolateTheFieldsThemselves)
+{
+  for (const char* name : { "mfem_toroid_hex_g3_p6", "mfem_toroid_prism_g3_p4",
+         "mfem_escher_tet_p3", "nek_hex_aniso_p3p5p7", "mfem_periodic_hex_dg_g3_p4" })
+  {
+    SCOPED_TRACE(name);
+    const auto reader = ReaderOf(name);
+    reader->Update();
+    EXPECT_LT(WorstInterpolation(reader->GetOutput()), 1e-13);
+  }
+}
+
+TEST(LagrangeCells, HavePositiveVolumesAndTheFacesOfTheirAttributes)
+{
+  for (const char* name : { "mfem_toroid_hex_g3_p6", "mfem_toroid_prism_g3_p4",
+         "mfem_escher_tet_p3", "nek_ns_cylinder_hexprism_p4" })
+  {
+    SCOPED_TRACE(name);
+    const auto reader = ReaderOf(name);
+    reader->Update();
+    vtkUnstructuredGrid* const grid = reader->GetOutput();
+    vtkNew<vtkCellSizeFilter> size;
+    size->SetInputData(grid);
+    size->Update();
+    double range[2];
+    vtkDataSet::SafeDownCast(size->GetOutputDataObject(0))
+      ->GetCellData()
+      ->GetArray("Volume")
+      ->GetRange(range);
+    EXPECT_GT(range[0], 0.0);
+
+    const auto model = HighOrderModel::From(grid);
+    vtkDataArray* const attributes = grid->GetCellData()->GetArray("BoundaryAttribute");
+    ASSERT_NE(attributes, nullptr);
+    for (const AttributedFace& own : model->BoundaryFaces())
+    {
+      const int e = own.face.element;
+      const ReferenceFace& face = ReferenceFaceOf(model->GetMesh().ShapeOf(e), own.face.face);
+      std::vector<Vec3> corners(static_cast<std::size_t>(face.corners));
+      MapForward(model->GetMesh(), e, std::span(face.corner).first(corners.size()), corners);
+      // The face of the cell that has all these corners carries the attribute.
+      int found = -1;
+      for (int f = 0; f < grid->GetCell(e)->GetNumberOfFaces(); ++f)
+      {
+        vtkCell* const other = grid->GetCell(e)->GetFace(f);
+        const auto has = [other](const Vec3& corner)
+        {
+          for (vtkIdType k = 0; k < other->GetNumberOfPoints(); ++k)
+          {
+            double x[3];
+            other->GetPoints()->GetPoint(k, x);
+            if (glm::distance(corner, Vec3(x[0], x[1], x[2])) < 1e-10)
+            {
+              return true;
+            }
+          }
+          return false;
+        };
+        found = std::ranges::all_of(corners, has) ? f : found;
+      }
+      ASSERT_GE(found, 0) << e;
+      EXPECT_EQ(attributes->GetComponent(e, found), own.attribute) << e;
+    }
+  }
+}
+
+TEST(LagrangeCells, SharePointsWhereFieldsAreContinuous)
+{
+  const auto reader = ReaderOf("mfem_toroid_hex_g3_p6");
+  reader->Update();
+  vtkUnstructuredGrid* const grid = reader->GetOutput();
+  EXPECT_EQ(grid->GetCellType(0), VTK_LAGRANGE_HEXAHEDRON);
+  EXPECT_EQ(grid->GetCell(0)->GetNumberOfPoints(), 7 * 7 * 7);
+  // 48 elements in a ring of 12 times 2 x 2, closed: vertices of a lattice of 13 x 13 x 72.
+  EXPECT_EQ(grid->GetNumberOfPoints(), 13 * 13 * 72);
+  EXPECT_EQ(grid->GetCellData()->GetArray("PixelExactLinearizedOrder"), nullptr);
+
+  const auto jumping = ReaderOf("mfem_periodic_hex_dg_g3_p4");
+  jumping->Update();
+  EXPECT_EQ(jumping->GetOutput()->GetNumberOfPoints(), 27 * 125);
+}
+
+TEST(LagrangeCells, GiveWayToCornersOnRequestAndAboveALimit)
+{
+  const auto reader = ReaderOf("mfem_toroid_hex_g3_p6");
+  reader->SetCells(vtkHighOrderFileReader::CORNER_CELLS);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetCellType(0), VTK_HEXAHEDRON);
+  EXPECT_EQ(reader->GetNumberOfDiagnostics(), 0);
+  reader->SetCells(vtkHighOrderFileReader::LAGRANGE_CELLS);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetCellType(0), VTK_LAGRANGE_HEXAHEDRON);
+  reader->SetMaximumNumberOfNodes(1000);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetCellType(0), VTK_HEXAHEDRON);
+  ASSERT_EQ(reader->GetNumberOfDiagnostics(), 1);
+  EXPECT_NE(reader->GetDiagnostic(0).find("16464 nodes"), std::string::npos)
+    << reader->GetDiagnostic(0);
+}
+} // namespace
