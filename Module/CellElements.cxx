@@ -37,7 +37,7 @@ CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
   {
     throw StaleData(std::string("the grid has ") + Counted(grid->GetNumberOfCells(), "cell") +
       " and coefficients of " + Counted(elements, "element") + ", but no cell array '" +
-      kElementIds + "' that tells which is which; pass that array on" + RemedyOf(grid));
+      kElementIds + "' that maps cells to elements; pass that array on" + RemedyOf(grid));
   }
   std::vector<bool> seen(elements, false);
   for (std::size_t cell = 0; cell < Element.size(); ++cell)

@@ -17,25 +17,27 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// Which of the stored elements each cell of a grid is.
+/// Maps each cell of a grid to a stored element.
 class CellElements
 {
 public:
-  /// Of `elements` stored ones. Throws StaleData where cells were added or claim one element twice.
+  /// `elements` is the number of stored elements. Throws StaleData where cells were added or two
+  /// cells claim one element.
   CellElements(vtkUnstructuredGrid* grid, vtkIdType elements);
 
   [[nodiscard]] std::size_t Cells() const { return Element.size(); }
 
-  /// Per stored element its cell, -1 where it was dropped.
+  /// Returns the cell of each stored element, -1 where the cell was dropped.
   [[nodiscard]] std::vector<std::int32_t> CellOfElements(vtkIdType elements) const;
 
-  /// Throws StaleData, with `problem` and the remedy, for the first cell of `grid` whose
-  /// fingerprint differs from its element's, by the hash that is stored and by that of the first
-  /// versions.
+  /// Throws StaleData with `problem` and the remedy for the first cell of `grid` whose fingerprint
+  /// differs from that of its element. Both hashes are accepted: the present one and that of the
+  /// first versions.
   void Compare(vtkUnstructuredGrid* grid, const std::function<std::vector<std::int64_t>(Hash)>& now,
     std::span<const std::int64_t> then, const std::string& problem) const;
 
-  /// `values`, `stride` per element, in the order of the cells; a copy only where that is another.
+  /// Returns `values`, with `stride` entries per element, in the order of the cells. Copies them
+  /// only where that order differs from the stored one.
   template <class T>
   std::span<const T> Select(
     std::span<const T> values, std::deque<std::vector<T>>& copies, int stride = 1) const
@@ -59,7 +61,7 @@ private:
   bool Whole = false; ///< cell i is element i
 };
 
-/// What views of a grid point to: its arrays, and copies where the cells have another order.
+/// Owns what views of a grid point to: its arrays, and copies where the cells have another order.
 struct ViewStorage
 {
   ArrayKeeper arrays;

@@ -9,24 +9,24 @@
 class vtkDataArray;
 class vtkUnstructuredGrid;
 
-// What is left of a fingerprint where VTK made points of several cells one. Such points lie in one
-// place up to rounding, but a hash of their bits is another. Sums with unequal weights over a
-// cell's points tell whether they, or values there, are the same up to rounding, in the same order.
+// Sums replace a fingerprint where VTK merged points of several cells. Merged points agree up to
+// rounding, but a hash of their bits differs. Weighted sums over a cell's points detect whether
+// points or values are the same up to rounding, in the same order.
 namespace pixelexact
 {
-/// For values of so many components.
+/// Returns the number of sums for values with so many components.
 constexpr int SumsFor(int components)
 {
   return 1 + 2 * components;
 }
 
-/// Of a cell: its type and number of points as one number, and two weighted sums of each component
-/// of `values`, an array with a tuple for each point.
+/// Writes the sums of a cell: its type and number of points as one number, then two weighted sums
+/// of each component of `values`, an array with one tuple per point.
 void SumOver(
   vtkUnstructuredGrid* grid, vtkIdType cell, vtkDataArray* values, std::span<double> sums);
 
-/// Whether sums are those of the same points, each of which may be off by `tolerance`, and was
-/// summed at a size of at most `largest`.
+/// Whether two sets of sums belong to the same points. Each value may be off by `tolerance` and had
+/// a magnitude of at most `largest` when it was summed.
 bool AreSameSums(
   std::span<const double> a, std::span<const double> b, double tolerance, double largest);
 } // namespace pixelexact

@@ -28,8 +28,8 @@ struct CompositePart
 /// vtkUnstructuredGrid, naming it.
 PIXELEXACTDATAMODEL_EXPORT std::vector<CompositePart> PartsOf(vtkCompositeDataSet* data);
 
-/// An object and, of composite data, its leaves, with their modification times. VTK's time stamps
-/// are unique in the process, so a new object at an old address is told apart.
+/// An object with its modification time; for composite data also the leaves with theirs. VTK's time
+/// stamps are unique in the process, so a new object at an old address has another state.
 using DataState = std::vector<std::pair<const vtkDataObject*, vtkMTimeType>>;
 PIXELEXACTDATAMODEL_EXPORT DataState StateOf(vtkDataObject* data);
 } // namespace pixelexact

@@ -118,7 +118,7 @@ private:
 
 using LostOrders = std::vector<int>; ///< per cell; -1: nothing is lost
 
-/// `orderOf(cell)`: the largest order of the expansion there.
+/// `orderOf(cell)` is the largest order of the expansion in the cell.
 template <class OrderOf>
 void AddLost(
   vtkUnstructuredGrid* grid, const HeldOrders& held, const OrderOf& orderOf, LostOrders& lost)
@@ -144,8 +144,8 @@ int FirstNumber(vtkFieldData* data, const std::string& name)
     : 0;
 }
 
-/// Of coefficients in FieldData. Cells that do not name an element are taken for the one of the
-/// highest order.
+/// Adds the losses of an expansion stored in FieldData. Cells that do not name an element count as
+/// elements of the highest order.
 void AddStored(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& lost)
 {
   const std::string prefix = name.empty() ? kMeshPrefix : kFieldPrefix + name + ".";
@@ -176,7 +176,7 @@ void AddStored(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& l
   AddLost(grid, held, orderOf, lost);
 }
 
-/// Of packed coefficients.
+/// Adds the losses of a packed expansion.
 void AddPacked(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& lost)
 {
   const std::string prefix = name.empty() ? packing::kMesh : packing::FieldName(name);
@@ -194,7 +194,8 @@ void AddPacked(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& l
     grid, held, [&](vtkIdType cell) { return LargestOrder(spaces, cell); }, lost);
 }
 
-/// What is left of kLinearizedOrder; filters may have averaged it or made it point data.
+/// The largest value of the array kLinearizedOrder. Filters may have averaged it or moved it to
+/// point data.
 int LargestMark(vtkUnstructuredGrid* grid)
 {
   double largest = 0.0;
@@ -218,7 +219,7 @@ void MarkLinearized(vtkUnstructuredGrid* grid, const std::string& name)
   {
     return;
   }
-  // A new array: time steps share that of the mesh.
+  // The array is replaced, not modified, because time steps share the mesh's array.
   vtkDataArray* const before = grid->GetCellData()->GetArray(kLinearizedOrder);
   vtkNew<vtkUnsignedCharArray> marks;
   marks->SetName(kLinearizedOrder);

@@ -16,7 +16,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
-// How a mesh and its fields lie in the arrays of a vtkUnstructuredGrid, and how they get there.
+// Stores a mesh and its fields in the arrays of a vtkUnstructuredGrid.
 //
 // FieldData, E elements (arrays marked * have a fixed size of their own):
 //   PixelExact.Mesh.Spaces*       uint8 x 5   distinct spaces: shape, form, three orders
@@ -43,7 +43,7 @@ class vtkUnstructuredGrid;
 // field of that name (Core/Expression/Expression.h).
 //
 // FieldData survives what VTK does to a data set, even when cells are dropped or points are moved;
-// the fingerprints tell what still fits (HighOrderModel).
+// HighOrderModel compares the fingerprints and refuses coefficients that no longer fit.
 namespace pixelexact
 {
 inline constexpr const char* kMeshPrefix = "PixelExact.Mesh.";
@@ -52,7 +52,7 @@ inline constexpr const char* kFieldPrefix = "PixelExact.Field.";
 inline constexpr const char* kDefinitionPrefix = "PixelExact.Definition.";
 inline constexpr const char* kElementIds = "PixelExactElementId";
 
-/// Where coefficients come from.
+/// The source of coefficients.
 enum class Origin : std::uint8_t
 {
   Coefficients = 0, ///< a solver's own file; no array of the grid shows the field
@@ -73,7 +73,7 @@ constexpr bool IsAtPoints(Origin origin)
   return origin == Origin::PointData || origin == Origin::SolverPoints;
 }
 
-// What StoreMesh and StoreField put into a grid. The grid takes over the coefficients.
+// Arguments of StoreMesh and StoreField. The grid takes over the coefficients.
 
 struct FieldExpansion
 {
@@ -91,11 +91,11 @@ struct MeshArrays
   std::vector<AttributedFace> boundary; ///< in any order
 };
 
-/// Whether the grid carries the arrays of a mesh, in FieldData or packed (PackedArrays.h); says
-/// nothing of whether they fit.
+/// Whether the grid carries the arrays of a mesh, in FieldData or packed (PackedArrays.h). Does not
+/// check whether they fit the cells.
 PIXELEXACTDATAMODEL_EXPORT bool HasHighOrderArrays(vtkUnstructuredGrid* grid);
 
-/// Removes every array of ours from FieldData and CellData, packed ones too.
+/// Removes all arrays that PixelExact added to FieldData and CellData, also packed ones.
 PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid);
 
 /// Adds a mesh whose element e is the grid's cell e, and fingerprints the cells as they are now.
@@ -103,12 +103,12 @@ PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
 PIXELEXACTDATAMODEL_EXPORT void StoreMesh(
   vtkUnstructuredGrid* grid, MeshArrays mesh, Origin origin);
 
-/// The same with the fingerprints of the cells that the mesh was made with, as stored before.
+/// The same with the stored fingerprints of the cells that the mesh was computed from.
 PIXELEXACTDATAMODEL_EXPORT void StoreMesh(vtkUnstructuredGrid* grid, MeshArrays mesh, Origin origin,
   std::span<const std::int64_t> fingerprints);
 
-/// Whether the stored mesh was made of the grid's cells as they are now, cell e being element e; by
-/// the fingerprints.
+/// Whether the stored mesh was computed from the grid's present cells, where element e is cell e.
+/// Compares the fingerprints.
 PIXELEXACTDATAMODEL_EXPORT bool StoredMeshFits(vtkUnstructuredGrid* grid);
 
 /// Adds or replaces a field on the mesh stored before. The array that `origin` names must be there:
@@ -116,12 +116,12 @@ PIXELEXACTDATAMODEL_EXPORT bool StoredMeshFits(vtkUnstructuredGrid* grid);
 PIXELEXACTDATAMODEL_EXPORT void StoreField(
   vtkUnstructuredGrid* grid, const std::string& name, FieldExpansion field, Origin origin);
 
-/// The same with the fingerprints of the field's values, as stored before.
+/// The same with the stored fingerprints of the field's values.
 PIXELEXACTDATAMODEL_EXPORT void StoreField(vtkUnstructuredGrid* grid, const std::string& name,
   FieldExpansion field, Origin origin, std::span<const std::int64_t> fingerprints);
 
-/// Whether the grid has an array of a field's name in point data (`ofPoints`), or else cell data,
-/// that is another one than that which shows the field: a filter or the file gave it the same name.
+/// Whether the grid has another array with a field's name in point data (`ofPoints`) or else cell
+/// data: an array that a filter or the file named so and that does not hold the field's values.
 PIXELEXACTDATAMODEL_EXPORT bool HasNamesake(
   vtkUnstructuredGrid* grid, const std::string& field, bool ofPoints);
 

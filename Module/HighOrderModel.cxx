@@ -28,7 +28,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What a cell array says of each cell, 0 where there is none.
+/// Copies a cell array with one value per cell; returns zeros where there is none.
 std::vector<std::uint8_t> MarksOf(vtkUnstructuredGrid* grid, const char* name)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(name);
@@ -44,7 +44,7 @@ std::vector<std::uint8_t> MarksOf(vtkUnstructuredGrid* grid, const char* name)
   return marks;
 }
 
-/// Empty where there are none.
+/// Returns the array kSelectedCells; empty where there is none.
 std::vector<std::int64_t> SelectedCellsOf(vtkUnstructuredGrid* grid)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(kSelectedCells);
@@ -59,7 +59,8 @@ std::vector<std::int64_t> SelectedCellsOf(vtkUnstructuredGrid* grid)
   return cells;
 }
 
-/// What expressions may name beside fields: of the grid's FieldData and its time.
+/// Collects the names that expressions may use besides fields, from the grid's FieldData and its
+/// time.
 ExpressionScope NamesOf(vtkUnstructuredGrid* grid)
 {
   ExpressionScope scope;
@@ -94,7 +95,7 @@ ExpressionScope NamesOf(vtkUnstructuredGrid* grid)
   return scope;
 }
 
-/// Models that somebody holds, by their data: a filter, a mapper and the grid itself share one.
+/// Models in use, by their data: a filter, a mapper and the grid itself share one.
 struct Registry
 {
   std::mutex mutex;
@@ -133,7 +134,7 @@ struct HighOrderModel::Internals
     {
       const auto prints =
         ViewArray<std::int64_t>(source, prefix + "Fingerprint", 1, elements, keeper);
-      // An array that was dropped on the way cannot have been changed.
+      // An array that a filter dropped cannot have been changed.
       if (vtkDataArray* nodal = FieldSource(source, name, view.origin))
       {
         part->Cells().Compare(
@@ -252,7 +253,7 @@ std::shared_ptr<HighOrderModel> HighOrderModel::From(vtkDataObject* data)
   return Shared(data, composite);
 }
 
-/// Null where nobody holds it; the registry must be locked.
+/// Returns null where no caller holds the model. The registry must be locked.
 std::shared_ptr<HighOrderModel> HighOrderModel::Known(vtkDataObject* data)
 {
   auto& models = Registry::Instance().models;

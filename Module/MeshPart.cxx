@@ -17,7 +17,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Parts that somebody holds.
+/// The parts that a caller holds.
 struct PartRegistry
 {
   std::mutex mutex;
@@ -31,7 +31,7 @@ struct PartRegistry
 };
 } // namespace
 
-// Points and cells are not in it: the fingerprints tell whether they are the same.
+// Points and cells are not in the key: the fingerprints detect whether they are the same.
 MeshPart::Key MeshPart::KeyOf(vtkUnstructuredGrid* grid)
 {
   Key key;
@@ -87,7 +87,7 @@ MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
   std::vector<std::span<const std::int64_t>> source;
   for (const auto& part : Parts)
   {
-    // Parts' elements come one after the other, and so do their faces.
+    // Elements of the parts follow each other, and so do their faces.
     for (AttributedFace face : part->Boundary)
     {
       face.face.element += static_cast<std::int32_t>(Stored);

@@ -48,7 +48,7 @@ int WidthOf(const Expansion& expansion)
   return width;
 }
 
-/// Of attributed faces, the most that one element has.
+/// The largest number of attributed faces of one element.
 int MostFaces(std::span<const AttributedFace> faces)
 {
   int most = 0;
@@ -82,7 +82,7 @@ struct PackedExpansion
   vtkSmartPointer<vtkTypeInt64Array> marks;
 };
 
-/// What all of an expansion's cells have alike.
+/// Properties that all cells of an expansion share.
 struct PackedKind
 {
   Origin origin = Origin::Coefficients;
@@ -90,7 +90,7 @@ struct PackedKind
   std::size_t place = 0; ///< of a field, among the grid's
 };
 
-/// All but the marks.
+/// Packs everything but the marks.
 PackedExpansion PackExpansion(vtkUnstructuredGrid* grid, const std::string& prefix,
   const Expansion& expansion, const PackedKind& kind, int width)
 {

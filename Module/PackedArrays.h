@@ -48,26 +48,26 @@ PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> PackedFieldNames(vtkUnstruct
 /// Whether any packed cell or field is a solver's own, not made from nodal values.
 PIXELEXACTDATAMODEL_EXPORT bool PacksSolverCoefficients(vtkUnstructuredGrid* grid);
 
-/// What packing the grid would need. Throws as HighOrderModel::From.
+/// The widths that packing the grid needs. Throws as HighOrderModel::From.
 PIXELEXACTDATAMODEL_EXPORT PackedWidths WidthsFor(vtkUnstructuredGrid* grid);
 
-/// The same where every component had so many modes.
+/// The same widths for components that all have `modes` modes.
 PIXELEXACTDATAMODEL_EXPORT PackedWidths WidthsForModes(vtkUnstructuredGrid* grid, int modes);
 
-/// The larger ones of both.
+/// Raises each width to the larger one of both.
 PIXELEXACTDATAMODEL_EXPORT void Widen(PackedWidths& widths, const PackedWidths& others);
 
-/// A copy of the grid, which shares its arrays, with packed coefficients instead of those in
-/// FieldData; arrays are at least as wide as told, and those of fields that the grid has not are
-/// left out. The coefficients must fit. Throws as HighOrderModel::From.
+/// Returns a copy of the grid that shares its arrays and has packed coefficients in place of those
+/// in FieldData. Arrays are at least as wide as `atLeast`; entries of `atLeast` for fields that the
+/// grid lacks are ignored. The coefficients must fit. Throws as HighOrderModel::From.
 PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Pack(
   vtkUnstructuredGrid* grid, const PackedWidths& atLeast = {});
 
-/// The other way: element e is cell e. Cells whose points, or values at points, differ from those
-/// that were packed by rounding alone, as where VTK made points one, are taken for the same;
-/// whether others fit, the model says. Throws InvalidData where arrays are missing, of wrong type
-/// or size, or where cells of one field differ in components, origin or mapping; StaleData where a
-/// check differs.
+/// The inverse of Pack: element e is cell e. A cell counts as unchanged if its points and values at
+/// points differ from those that were packed by rounding alone, as where VTK merges points.
+/// HighOrderModel checks whether other cells fit. Throws InvalidData where arrays are missing, of
+/// wrong type or size, or where cells of one field differ in components, origin or mapping;
+/// StaleData where a check differs.
 PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

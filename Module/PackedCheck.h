@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <span>
 
-// The tuples of one packed cell (PackedArrays.h), and the hash that tells whether they are whole.
+// The tuples of one packed cell (PackedArrays.h), and the hash that detects whether they were
+// changed.
 namespace pixelexact
 {
 inline constexpr int kPackedSpace = 8;
@@ -24,10 +25,10 @@ struct PackedCell
   std::span<const double> coefficients; ///< those that the cell has
 };
 
-/// The space whose numbers a cell has; it may be none that is valid.
+/// Decodes a cell's space; the result may be invalid.
 Space SpaceIn(const std::uint8_t* numbers);
 
-/// XXH3 (64 bits) of all but the check.
+/// XXH3 (64 bits) of everything but the check itself.
 std::int64_t CheckOf(const PackedCell& cell);
 } // namespace pixelexact
 #endif

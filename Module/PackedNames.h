@@ -12,24 +12,24 @@
 class vtkAbstractArray;
 class vtkFieldData;
 
-// What packing and unpacking share.
+// Names and arrays that packing and unpacking share.
 namespace pixelexact::packing
 {
 inline const std::string kMesh = std::string(kPackedPrefix) + "Mesh.";
 inline const std::string kField = std::string(kPackedPrefix) + "Field.";
 inline const std::string kBoundary = kMesh + "Boundary";
 
-/// What the names of a field's packed arrays begin with.
+/// The prefix of the names of a field's packed arrays.
 inline std::string FieldName(const std::string& field)
 {
   return kField + field + ".";
 }
 
-/// Arrays of ours that are not of elements: names of bases, a plane mesh's slab.
+/// PixelExact's arrays that do not belong to elements: names of bases, the slab of a plane mesh.
 std::vector<vtkSmartPointer<vtkAbstractArray>> FixedArrays(vtkFieldData* data);
 
-/// A copy whose lists of arrays are its own, with our fixed arrays alone and, where it is to keep
-/// them, the elements' numbers.
+/// Returns a copy of the grid with its own lists of arrays: PixelExact's fixed arrays alone and,
+/// with `keepIds`, the elements' numbers.
 vtkSmartPointer<vtkUnstructuredGrid> BareCopy(vtkUnstructuredGrid* grid, bool keepIds);
 } // namespace pixelexact::packing
 #endif

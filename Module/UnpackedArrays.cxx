@@ -40,7 +40,7 @@ public:
     Width = Cells > 0 ? Packed.size() / static_cast<std::size_t>(Cells) : 0;
   }
 
-  /// Of a mesh `place` is given, of a field it is empty.
+  /// `place` is empty for a field; a mesh needs it.
   OwnedExpansion Expand(std::span<const double> place, int components)
   {
     std::vector<Space> spaces;
@@ -76,7 +76,7 @@ public:
     return expansion;
   }
 
-  /// What all cells have alike; InvalidData where they do not.
+  /// Returns the value that all cells share. Throws InvalidData where cells differ.
   std::int64_t Common(const char* name, bool ofSpace, std::size_t at) const
   {
     const auto value = [&](std::size_t e) {
@@ -125,9 +125,9 @@ private:
   std::size_t Width = 0;
 };
 
-/// The fingerprints as they were, but for cells whose points or values are still the same up to
-/// rounding: those have the fingerprints that they have now. `roundings(cell)`: how far off each
-/// may be, and how large it is.
+/// Returns the stored fingerprints, except for cells whose points or values are the same up to
+/// rounding: those get their present fingerprints. `roundings(cell)` gives the largest error of
+/// each value and the largest magnitude.
 std::vector<std::int64_t> Restamped(vtkUnstructuredGrid* grid, const std::string& prefix,
   vtkDataArray* values, std::vector<std::int64_t> then, const std::vector<std::int64_t>& now,
   const std::function<std::pair<double, double>(std::size_t)>& roundings)
@@ -187,7 +187,7 @@ std::vector<AttributedFace> UnpackBoundary(vtkUnstructuredGrid* grid)
       const auto* entry = &numbers[static_cast<std::size_t>(cell * width + i)];
       if (entry[0] >= 0)
       {
-        // What is no face the model refuses.
+        // The model refuses entries that are no faces.
         boundary.push_back({ { static_cast<std::int32_t>(cell), entry[0] }, entry[1] });
       }
     }
@@ -267,7 +267,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid)
   {
     return output;
   }
-  // StoreMesh begins with nothing of ours.
+  // StoreMesh removes all of PixelExact's arrays first.
   const auto fixed = FixedArrays(grid->GetFieldData());
   UnpackMesh(grid, output);
   for (const auto& array : fixed)

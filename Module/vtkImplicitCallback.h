@@ -47,9 +47,9 @@ public:
 
   ///@{
   /**
-   * For observers: the points that are asked for, with three components; and where their values
-   * (one component) and gradients (three) go, one for each point, NaN so far. They hold until the
-   * observer returns.
+   * For observers: the points to evaluate, with three components, and the arrays to fill with one
+   * value (one component) and one gradient (three components) per point. Their entries are NaN at
+   * first. The arrays are valid until the observer returns.
    */
   vtkDoubleArray* GetPoints();
   vtkDoubleArray* GetValues();
@@ -57,7 +57,7 @@ public:
   ///@}
 
   /**
-   * For observers: why there are no values. Who asked is told so.
+   * For observers: the reason why there are no values. The error message contains it.
    */
   void SetFailure(const char* why);
 
@@ -74,7 +74,8 @@ public:
 
   ///@{
   /**
-   * Whether an observer gives gradients, and these, at many points; NaN where there is none.
+   * Whether an observer gives gradients, and the gradients at many points. They are NaN without
+   * such an observer.
    */
   bool HasGradient();
   void EvaluateGradients(vtkDataArray* input, vtkDataArray* output);
@@ -82,8 +83,8 @@ public:
 
   ///@{
   /**
-   * What EvaluateGradient takes central differences over where nobody observes GradientEvent, above
-   * 0; the default is 1e-6. Mappers take differences over 6e-6 of the size of the mesh.
+   * The step of the central differences that EvaluateGradient takes without an observer of
+   * GradientEvent. It is above 0; the default is 1e-6. Mappers use 6e-6 of the size of the mesh.
    */
   vtkSetClampMacro(DifferenceStep, double, 1e-300, VTK_DOUBLE_MAX);
   vtkGetMacro(DifferenceStep, double);
@@ -100,8 +101,8 @@ private:
   void operator=(const vtkImplicitCallback&) = delete;
 
   /**
-   * Has Points answered by the observers of an event. False where they fail, which is told, and the
-   * answers are NaN then.
+   * Invokes an event whose observers compute `answers` at Points. If they fail, it reports an
+   * error, sets the answers to NaN and returns false.
    */
   bool Ask(unsigned long event, vtkDoubleArray* answers, int components);
   void Ask(unsigned long event, vtkDoubleArray* answers, int components, vtkDataArray* in,
