@@ -17,10 +17,10 @@ namespace
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Eigen::Map;
 
-/// Functions outside of the space would be altered by the interpolation: up to this, they lie in
-/// it.
+/// Functions with a smaller misfit count as members of the space. Interpolation would change
+/// others.
 constexpr long double kLargestMisfit = 1e-10L;
-/// In [-1,1], off every rule's points.
+/// A point in [-1,1] that is a node of no rule.
 constexpr long double kCheckPoint = 0.8371952603L;
 
 template <template <class, class, bool> class Modes>
@@ -68,7 +68,7 @@ std::vector<LongVec3> UnisolventPoints(const Space& space)
   ForEachMode(space,
     [&, P = P, Q = Q, R = R](int p, int q, int r, int /*mode*/)
     {
-      // On the layer that belongs to q and r, only so many p's remain: spread them anew.
+      // The layer of q and r has fewer values of p: spread its points over [-1,1].
       const long double e3 = Chebyshev(r, R);
       LongVec3 eta{ Chebyshev(p, P), Chebyshev(q, Q), e3 };
       switch (space.shape)
@@ -128,7 +128,7 @@ BasisFactor SolveFactor(int modes, int sources, const std::vector<long double>& 
 BasisFactor LineFactor(int order, const LineFunctions& line)
 {
   const int n = order + 1;
-  // One point beyond those that determine the factor, to check it.
+  // The last point checks the factor that the other points determine.
   std::vector<long double> modes(std::size_t(n + 1) * n);
   std::vector<long double> values(std::size_t(n + 1) * line.count);
   for (int i = 0; i <= n; ++i)
@@ -165,7 +165,7 @@ BasisFactor SolidFactor(const Space& space, int count,
   }
   BasisFactor factor = SolveFactor(rows, count, modes, values);
   factor.space = space;
-  // Between the points.
+  // The check at a point between the nodes.
   std::vector<long double> atPoint(rows);
   std::vector<long double> expected(count);
   for (std::size_t i = 0; i + 1 < points.size(); ++i)

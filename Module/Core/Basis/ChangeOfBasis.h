@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-// From a source's basis to the canonical one. The matrices are made in long double (64 bits of
-// mantissa on x86), once per kind of element, applied with no fewer bits, and rounded to double at
-// the end.
+// Converts from a source's basis to the canonical one. The matrices are computed in long double (64
+// bits of mantissa on x86), once per kind of element, applied with no fewer bits, and the result is
+// rounded to double.
 namespace pixelexact
 {
 /// One-dimensional and simplicial families of source bases.
@@ -61,7 +61,8 @@ public:
     const std::function<void(const LongVec3&, long double*)>& functions);
 
   [[nodiscard]] const Space& Target() const { return TargetSpace; }
-  /// Whose product it is; of three lines, a triangle and a line, or all of the space's modes.
+  /// The factors of the Kronecker product: three lines, a triangle and a line, or one factor for
+  /// all modes of the space.
   [[nodiscard]] std::span<const BasisFactor> GetFactors() const { return Factors; }
   [[nodiscard]] int SourceSize() const { return static_cast<int>(SourceOf.size()); }
 
@@ -70,19 +71,19 @@ public:
   /// call from several threads.
   void Apply(std::span<const double> values, double shift, std::span<double> canonical) const;
 
-  /// What Apply works in: a thread's own, which keeps its memory.
+  /// Buffers of Apply. Each thread has its own and reuses its memory.
   struct Scratch
   {
     PairBuffer from;
     PairBuffer to;
   };
-  /// The same of as many components as there are shifts, one after the other in `values` and in
-  /// `canonical`: their bits are those of one at a time.
+  /// The same for as many components as there are shifts, one after the other in `values` and in
+  /// `canonical`. The results have the same bits as those of single components.
   void Apply(std::span<const double> values, std::span<const double> shifts,
     std::span<double> canonical, Scratch& scratch) const;
 
-  /// sum over s of |M[mode][s]|: how much noise of one unit in every source value can weigh in a
-  /// mode.
+  /// sum over s of |M[mode][s]|: the largest change of a mode if each source value changes by at
+  /// most one unit.
   [[nodiscard]] std::span<const double> Amplification() const { return RowNorm; }
 
 private:

@@ -34,7 +34,7 @@ void MultiplyIn(const PairMatrix& matrix, std::size_t rest, const double* high, 
         rounding = rounding + factor * Traits::Splat(low[k * rest + r]);
         rounding = rounding + Traits::Load(&matrix.low[at]) * value;
       }
-      // What a pack writes too much is overwritten by the next.
+      // The next pack overwrites the entries that this one writes past its end.
       const Pair result = ExactSum(sum, rounding);
       Store(result.high, toHigh + r * rows + row);
       Store(result.low, toLow + r * rows + row);
@@ -51,7 +51,7 @@ HWY_EXPORT(MultiplyIn);
 
 namespace
 {
-/// The most lanes of any instruction set.
+/// The largest number of lanes of any instruction set.
 constexpr std::size_t kPack = 8;
 } // namespace
 
