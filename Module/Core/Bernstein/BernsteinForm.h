@@ -11,8 +11,8 @@
 namespace pixelexact
 {
 /// The tensor-product Bernstein form, in eta over the cube, of functions given by canonical modes.
-/// The values over the whole shape lie in the hull of the coefficients; halving the domain brings
-/// them quadratically closer.
+/// The values over the whole shape lie in the hull of the coefficients; subdivision of the domain
+/// brings them quadratically closer.
 ///
 /// Each mode is a product of three univariate polynomials in eta whose Bernstein coefficients have
 /// a closed form: h^m P_n^{(a,0)} has (-1)^{n-i} C(n+a,i) C(n,i) / C(n+m,i) in degree n + m, then
@@ -23,20 +23,20 @@ namespace pixelexact
 class BernsteinForm
 {
 public:
-  /// The conversion of a space; made on first use, kept, safe to call from several threads.
+  /// The conversion of a space. Created on first use and kept; safe to call from several threads.
   static const BernsteinForm& Of(const Space& space);
 
   [[nodiscard]] const std::array<int, 3>& Degree() const { return degree_; }
   /// The number of coefficients: the product of degrees + 1; index (i (Q+1) + j) (R+1) + k.
   [[nodiscard]] int Size() const;
 
-  /// Bernstein coefficients of one component.
+  /// Converts one component to Bernstein coefficients.
   void Convert(const double* modes, std::span<double> bernstein) const;
 
-  /// A bound of the rounding error of every coefficient that Convert makes of these modes.
+  /// Bounds the rounding error of every coefficient that Convert computes from these modes.
   [[nodiscard]] double ErrorBound(const double* modes) const;
 
-  /// The same bound from the modes' largest coefficients, at the price of one sum.
+  /// A wider bound from the modes' largest coefficients; it costs one sum.
   [[nodiscard]] double QuickErrorBound(const double* modes) const;
 
   /// The grid point of eta that belongs to a coefficient: a function that is affine in each eta

@@ -8,9 +8,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Ends of boxes are multiples of this: exact, also when added and subtracted.
+/// Ends of boxes are multiples of this number, so sums and differences of them are exact.
 constexpr double kGrid = 0x1p-50;
-/// No box is narrower: its ends must be told apart on the grid.
+/// No box is narrower, so that its ends differ on the grid.
 constexpr double kNarrowest = 0x1p-40;
 /// A box that keeps more than this share of its width is not restricted.
 constexpr double kWorthwhile = 0.75;

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <span>
 
-// Extremes and sums of arrays of coefficients, in as many lanes as the instruction set has; the
-// same bits on each.
+// Extremes and sums of arrays of coefficients, in as many lanes as the instruction set has. The
+// bits do not depend on the instruction set.
 namespace pixelexact
 {
-/// The least and the most of some numbers.
+/// The smallest and the largest of some numbers.
 struct Extremes
 {
   double least;
@@ -17,16 +17,18 @@ struct Extremes
 };
 Extremes ExtremesOf(std::span<const double> values);
 
-/// The largest magnitude of differences of numbers that lie `stride` apart, the first or the second
-/// ones (order 1 or 2), of blocks of `block` numbers each. Those that are no numbers do not count.
+/// The largest magnitude of the first or second differences (order 1 or 2) of numbers that lie
+/// `stride` apart, in blocks of `block` numbers each. Differences that are NaN are ignored.
 double LargestDifference(
   std::span<const double> values, std::size_t stride, std::size_t block, int order);
 
-/// Of first differences of numbers that lie `stride` apart, in blocks of `block` numbers each.
+/// The smallest and the largest first difference of numbers that lie `stride` apart, in blocks of
+/// `block` numbers each.
 Extremes DifferencesOf(std::span<const double> values, std::size_t stride, std::size_t block);
 
-/// Of each slice of numbers across a direction: number i of a block of `block` numbers is in slice
-/// i / stride. False where a number is not finite; the others then mean nothing.
+/// The smallest and the largest number of each slice across a direction: number i of a block of
+/// `block` numbers is in slice i / stride. Returns false where a number is not finite; the results
+/// are then undefined.
 bool ExtremesAlong(std::span<const double> values, std::size_t stride, std::size_t block,
   std::span<double> least, std::span<double> most);
 

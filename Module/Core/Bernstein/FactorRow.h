@@ -5,8 +5,8 @@
 
 namespace pixelexact
 {
-/// What is made of the one-dimensional factor h^m P_n^{(a,0)}(z), h = (1 - z) / 2, of a canonical
-/// mode where the mode is differentiated by xi (PieceForm.h).
+/// The forms of the one-dimensional factor h^m P_n^{(a,0)}(z), h = (1 - z) / 2, of a canonical mode
+/// that occur in the mode's derivatives by xi (PieceForm.h).
 enum class Factor : unsigned char
 {
   Plain = 0,   ///< the factor
@@ -17,12 +17,11 @@ enum class Factor : unsigned char
 };
 inline constexpr int kFactors = 5;
 
-/// Bernstein coefficients of such a polynomial over a part of [-1, 1], and what they are worth.
+/// Bernstein coefficients of such a polynomial over a part of [-1, 1], with error bounds.
 struct FactorRow
 {
   std::vector<double> value;
-  /// Each value is off by at most the unit roundoff times its magnitude, which is not below
-  /// |value|.
+  /// Each value is off by at most the unit roundoff times its magnitude, which is at least |value|.
   std::vector<double> magnitude;
   double largest = 0.0; ///< magnitude
 };
@@ -35,11 +34,12 @@ struct FactorKey
   int power; ///< m
 };
 
-/// The row in Bernstein form of `degree`, over the piece [2 k / K - 1, 2 (k + 1) / K - 1] with
-/// k = `piece` and K = 2^`level`.
+/// The row in Bernstein form of `degree`, over the piece [2 k / K - 1, 2 (k + 1) / K - 1] with k =
+/// `piece` and K = 2^`level`.
 ///
-/// h^m P_n^{(a,0)} has the coefficients (-1)^{n-i} C(n+a,i) C(n,i) / C(n+m,i) in degree n + m; the
-/// rest is differences, multiplication by linear factors, raising and halving. All is done in sums
-/// of two doubles; sums of magnitudes kept beside the numbers bound what cancels.
+/// h^m P_n^{(a,0)} has the coefficients (-1)^{n-i} C(n+a,i) C(n,i) / C(n+m,i) in degree n + m. The
+/// other forms follow by differences, multiplication by linear factors, degree elevation and
+/// subdivision. All arithmetic is in sums of two doubles; sums of magnitudes beside the numbers
+/// bound the cancellation.
 FactorRow MakeFactorRow(const FactorKey& key, Factor factor, int degree, int level, int piece);
 } // namespace pixelexact

@@ -9,8 +9,8 @@
 
 namespace pixelexact
 {
-/// Bernstein's polynomials of some degrees at a point, made once for all polynomials that are asked
-/// for there, in plain arithmetic.
+/// Bernstein polynomials of some degrees at a point, evaluated once for all polynomials there, in
+/// plain arithmetic.
 class JetBasis
 {
 public:
@@ -22,7 +22,7 @@ public:
   JetBasis(const Degrees& degree, const Parameters& t, Parts parts);
 
   [[nodiscard]] double ValueOf(std::span<const double> coefficients) const;
-  /// Of a basis that was made for jets.
+  /// Evaluates a polynomial's jet. The basis must have been constructed for jets.
   [[nodiscard]] Jet JetOf(std::span<const double> coefficients) const;
 
 private:

@@ -31,8 +31,8 @@ std::vector<double> BasisAt(int n, double t)
   return values;
 }
 
-/// Row k: the factors with which n + 1 coefficients make the k-th of m + 1 < n + 1, of the
-/// polynomial with the same values at Chebyshev's points. Nothing is proven of it.
+/// Row k: the factors by which n + 1 coefficients give the k-th of m + 1 < n + 1 coefficients of
+/// the polynomial with the same values at Chebyshev's points. The factors are not certified.
 std::vector<double> LoweringRows(int n, int m)
 {
   const auto rows = static_cast<std::size_t>(m) + 1;
@@ -71,7 +71,7 @@ std::vector<double> LoweringRows(int n, int m)
   return factors;
 }
 
-/// Row i: the factors with which m + 1 coefficients make the i-th of n + 1. None is negative, they
+/// Row i: the factors by which m + 1 coefficients give the i-th of n + 1. None is negative, they
 /// sum to 1, and have relative errors of gamma(3 n).
 std::vector<double> ElevationRows(int m, int n)
 {
@@ -79,7 +79,7 @@ std::vector<double> ElevationRows(int m, int n)
   std::vector<double> factors((static_cast<std::size_t>(n) + 1) * columns, 0.0);
   for (std::size_t j = 0; j < columns; ++j)
   {
-    // Of the unit vectors, degree by degree.
+    // Elevates the unit vectors one degree at a time.
     std::vector<double> b(columns, 0.0);
     b[j] = 1.0;
     for (int degree = m + 1; degree <= n; ++degree)
@@ -120,7 +120,7 @@ void PolynomialBatch::LowerAlong(int direction, double most)
   const std::size_t stride = StrideOf(degree_, direction) * Count();
   std::vector<double> again(B.size());
   std::vector<double> ends[2] = { std::vector<double>(Count()), std::vector<double>(Count()) };
-  // The lowest degree that is known to do, and the highest that is known not to.
+  // The lowest degree that is known to suffice, and the highest that is known not to suffice.
   int enough = n;
   int tooLow = 0;
   std::vector<double> kept;
@@ -141,14 +141,14 @@ void PolynomialBatch::LowerAlong(int direction, double most)
     double off = 0.0;
     for (std::size_t c = 0; c < Count(); ++c)
     {
-      // The polynomial less the lower one, in the higher degree: a hull, and its rounding.
+      // The hull of the polynomial minus the lowered one, in the higher degree, with its rounding.
       const double apart = std::max(std::fabs(ends[0][c]), std::fabs(ends[1][c]));
       const double terms = std::max(std::fabs(lowerEnds[0][c]), std::fabs(lowerEnds[1][c]));
       errors[c] =
         (apart + Gamma(4 * n + 16) * (terms + Largest[c]) + kUnderflow) * (1.0 + Gamma(4));
       off = std::max(off, errors[c]);
     }
-    // Written so that a NaN is too much.
+    // The comparison is written so that it rejects NaN.
     if (off <= most)
     {
       enough = m;

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What of a function of a space is converted: itself, or its derivative by a xi.
+/// The part of a function to convert: its value, or its derivative by a xi.
 enum class Part : signed char
 {
   Value = -1,
@@ -33,12 +33,12 @@ inline constexpr Part kDerivatives[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 
 /// in which every factor that is divided by h = (1 - eta) / 2 carries it (or the derivative beside
 /// it is zero): the derivatives are regular at collapsed edges and vertices. In a pyramid's Tensor
 /// form Z carries no h; Z/h then stands for (Z - Z(1)) / h, the derivative of the *closed*
-/// function, in which the modes with (p, q) != (0, 0) vanish at the apex. IsClosed tells whether
-/// the function given is that one up to rounding; else its derivatives are unbounded at the apex.
+/// function, in which the modes with (p, q) != (0, 0) vanish at the apex. IsClosed checks whether
+/// the given function is closed up to rounding; else its derivatives are unbounded at the apex.
 ///
-/// Seen over the whole cube, coefficients of high orders are large and cancel; so would be their
-/// rounding errors. Spaces of order above 5, 11 and 23 are therefore converted on 2, 4 and 8 pieces
-/// in each direction: tables of the factors on each piece cost nothing more.
+/// Over the whole cube, coefficients of high orders are large and cancel, so that their rounding
+/// errors are large as well. Spaces of order above 5, 11 and 23 are therefore converted on 2, 4 and
+/// 8 pieces in each direction, with tables of the factors on each piece, at the same cost.
 class PieceForm
 {
 public:
@@ -58,16 +58,16 @@ public:
   /// The same form on 2^level pieces.
   static const PieceForm& Of(const Space& space, int level);
 
-  /// Bernstein coefficients of one component over a piece.
+  /// Converts one component to Bernstein coefficients over a piece.
   void Convert(Part part, const Piece& piece, const double* modes, std::span<double> out) const;
 
-  /// A bound of the rounding error of every coefficient that Convert makes of these modes:
+  /// Bounds the rounding error of every coefficient that Convert computes from these modes:
   /// gamma(P + Q + R + 12) times the sum of |c| max |X| max |Y| max |Z|. Valid where the modes'
   /// largest magnitude is between 2^-500 and 2^500: nothing over- or underflows then.
   [[nodiscard]] double ErrorBound(Part part, const Piece& piece, const double* modes) const;
 
-  /// Whether the derivatives by xi are those of the function itself: always, but for a pyramid's
-  /// Tensor form, where the part that is not single-valued at the apex must be below
+  /// Whether the derivatives by xi are those of the function itself. They always are, except for a
+  /// pyramid's Tensor form, where the part that is not single-valued at the apex must be below
   /// 64 roundings of the coefficients.
   [[nodiscard]] static bool IsClosed(const Space& space, const double* modes);
 

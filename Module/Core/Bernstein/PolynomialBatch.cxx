@@ -17,8 +17,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Row k: the factors with which coefficients make the k-th one over a part of [0, 1]. None is
-/// negative: they are made with relative errors of gamma(6 n), and sum to 1.
+/// Row k: the factors by which the coefficients give the k-th one over a part of [0, 1]. None is
+/// negative, they have relative errors of gamma(6 n) and sum to 1.
 std::vector<double> RestrictionRows(int n, double from, double to)
 {
   const auto count = static_cast<std::size_t>(n) + 1;
@@ -27,7 +27,7 @@ std::vector<double> RestrictionRows(int n, double from, double to)
   {
     rows[k * count + k] = 1.0;
   }
-  // Of the unit vectors, side by side.
+  // Restricts the unit vectors side by side.
   Restrict({ n, n, 0 }, 0, from, to, rows);
   return rows;
 }
@@ -57,7 +57,7 @@ PolynomialBatch::PolynomialBatch(const Degrees& degree, std::span<const BoxPolyn
       B[i * polynomials.size() + c] = raised[i];
     }
     Errors.push_back(error);
-    // Sums of parts that add up to one exceed it by roundings alone.
+    // Sums of nonnegative factors that add up to one exceed it only by rounding.
     Largest.push_back(1.0625 * largest + kUnderflow);
   }
 }
@@ -122,7 +122,8 @@ void PolynomialBatch::FindBounds(
   const Restricted& part, std::span<const Vec3> places, std::span<AffineBound> bounds) const
 {
   const std::size_t first = Count() - bounds.size();
-  // By the corners: the slope is the inverse of sum x x^T, times sum x f, x from their mean.
+  // Fits the slope to the corners by least squares: the inverse of sum x x^T times sum x f, x from
+  // the mean.
   std::array<std::size_t, 8> corners;
   Vec3 mean(0.0);
   for (std::size_t corner = 0; corner < corners.size(); ++corner)

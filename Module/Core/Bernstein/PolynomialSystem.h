@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// One polynomial over the unit cube. Its coefficients are known up to `error`: whatever is proven,
-/// is proven for every polynomial within it.
+/// One polynomial over the unit cube. Its coefficients are known up to `error`; every proof holds
+/// for all polynomials within it.
 struct TensorPolynomial
 {
   Degrees degree{};
@@ -30,9 +30,9 @@ public:
   [[nodiscard]] int Variables() const { return variables_; }
   [[nodiscard]] int Equations() const { return static_cast<int>(Error.size()); }
   [[nodiscard]] const Degrees& Degree() const { return degree_; }
-  /// Of all polynomials, one after the other.
+  /// The coefficients of all polynomials, one after the other.
   [[nodiscard]] std::span<const double> Coefficients() const { return coefficients_; }
-  /// Of each polynomial's coefficients.
+  /// The error of each polynomial's coefficients.
   [[nodiscard]] std::span<const double> Errors() const { return Error; }
 
 private:

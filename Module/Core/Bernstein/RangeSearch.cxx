@@ -9,16 +9,16 @@ namespace pixelexact
 {
 namespace
 {
-/// 64 MiB a search.
+/// The memory limit of one search: 64 MiB.
 constexpr std::size_t kMaxHeld = std::size_t{ 1 } << 23U;
-/// Boxes are not made longer than this, in halvings, compared with their shortest side.
+/// The largest ratio of a box's longest and shortest sides, as a power of two.
 constexpr int kMaxUneven = 20;
-/// Where an enclosure reaches beyond what is attained by less than this many times the width of the
-/// enclosure of a point, halving is of no use.
+/// Subdivision does not help where an enclosure exceeds the attained range by less than this many
+/// times the width of the enclosure of a point.
 constexpr double kRoundingOnly = 8.0;
-/// Gaps below this part of the largest magnitude are rounding.
+/// A gap below this fraction of the largest magnitude is rounding.
 constexpr double kFloor = 0x1p-40;
-/// So are gaps below this; functions are searched in units of their coefficients.
+/// A gap below this size is rounding. Functions are searched in units of their coefficients.
 constexpr double kSmallest = 0x1p-400;
 
 int Total(const std::array<int, 3>& subdivisions)
@@ -153,7 +153,7 @@ CertifiedRange RangeSearch::Current() const
   CertifiedRange range;
   range.attained = Attained;
   range.boxes = Count;
-  // Boxes that were left out hold values between the attained ones alone.
+  // The boxes that were dropped hold only values between the attained ones.
   range.outer = { Attained.lower, Attained.upper };
   for (const RangeBox& box : Boxes)
   {

@@ -10,20 +10,21 @@
 
 namespace pixelexact
 {
-/// A continuous function made of polynomials, seen over one box at a time.
+/// A continuous function of polynomials, evaluated over one box at a time.
 class RangeFunction
 {
 public:
   virtual ~RangeFunction() = default;
-  /// Holds all values over the box; may be unbounded.
+  /// Encloses all values over the box; may be unbounded.
   [[nodiscard]] virtual Interval Enclose(std::span<const BoxPolynomial> polynomials) const = 0;
-  /// Holds the value at a corner (see BoxPolynomial::AtCorner).
+  /// Encloses the value at a corner (see BoxPolynomial::AtCorner).
   [[nodiscard]] virtual Interval AtCorner(
     std::span<const BoxPolynomial> polynomials, unsigned corner) const = 0;
-  /// Holds the value at some point of the box where a small one is likely; everything, where there
-  /// is no guess.
+  /// Encloses the value at some point of the box where a small value is likely. Unbounded where
+  /// there is no guess.
   [[nodiscard]] virtual Interval AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const;
-  /// Which differences of the polynomials tell where a box should be split: 1 or 2.
+  /// The order, 1 or 2, of the differences of the polynomials that choose the direction of
+  /// subdivision.
   [[nodiscard]] virtual int TellingDifference() const = 0;
 };
 
@@ -33,24 +34,26 @@ struct RangeBox
   std::vector<BoxPolynomial> polynomials;
   std::array<int, 3> subdivisions{};
   Interval bound = Interval::Everything(); ///< of the values
-  /// Width of the enclosures at single points: what no halving takes away.
+  /// Width of the enclosures at single points. Subdivision does not reduce it.
   double rounding = 0.0;
   /// Not above the value at any corner; a function whose enclosure at a corner reaches down to zero
   /// cannot be proven positive, however often the box is subdivided.
   double lowestCorner = 0.0;
-  /// Makes the polynomials once more. Where given they are not held, which of large domains in
-  /// many boxes saves the memory.
+  /// Recomputes the polynomials. A box with this function does not keep them, which saves memory
+  /// for large domains in many boxes.
   std::function<std::vector<BoxPolynomial>()> remake;
 
-  /// Encloses the values and returns what is attained at the corners, as CertifiedRange::attained.
+  /// Encloses the values and returns the values attained at the corners, as
+  /// CertifiedRange::attained.
   Interval Look(const RangeFunction& function);
-  /// Becomes one half and returns the other, along the direction that promises most.
+  /// Becomes one child and returns the other. Divides along the direction that tightens the bound
+  /// most.
   RangeBox Subdivide(const RangeFunction& function);
   /// The number of coefficients held.
   [[nodiscard]] std::size_t Held() const;
 };
 
-/// What is proven of the values of a function.
+/// A proven range of a function's values.
 struct CertifiedRange
 {
   /// Holds all values.
@@ -63,7 +66,7 @@ struct CertifiedRange
   bool met = false;   ///< the tolerance
   bool finite = true; ///< false where the function's coefficients are not: nothing is said then
 
-  /// How far, at most, the outer ends lie beyond values that are attained.
+  /// The largest distances of the outer ends from attained values.
   [[nodiscard]] double GapBelow() const { return attained.lower - outer.lower; }
   [[nodiscard]] double GapAbove() const { return outer.upper - attained.upper; }
 };
@@ -74,19 +77,19 @@ bool IsWithin(const CertifiedRange& range, double tolerance);
 /// The gap that IsWithin allows.
 double AllowedGap(const CertifiedRange& range, double tolerance);
 
-/// Branch and bound on the range of a function: of all boxes, the one whose enclosure reaches
-/// farthest is halved.
+/// Branch and bound on the range of a function: subdivides the box whose enclosure exceeds the
+/// attained range most.
 class RangeSearch
 {
 public:
-  /// `known`: values attained elsewhere, where the range sought is that of several functions
-  /// together; boxes with no value beyond them are not looked into any further.
+  /// `known`: values attained elsewhere, where several functions share one range. Boxes without
+  /// values outside it are not subdivided.
   RangeSearch(const RangeFunction& function, const Interval& known);
 
-  /// A box of the domain. Together they must cover it.
+  /// Adds a box of the domain. Together the boxes must cover it.
   void Add(RangeBox box);
 
-  /// What is known by now.
+  /// The range proven up to now.
   [[nodiscard]] CertifiedRange Current() const;
 
   enum class End : unsigned char
@@ -94,8 +97,8 @@ public:
     Lower,
     Upper
   };
-  /// Children the box whose enclosure reaches farthest at this end. False where none reaches beyond
-  /// what is attained by more than rounding, or memory allows no further box.
+  /// Subdivides the box whose enclosure reaches farthest at this end. Returns false where no
+  /// enclosure exceeds the attained range by more than rounding, or memory allows no further box.
   bool Refine(End end);
 
 private:
@@ -107,6 +110,6 @@ private:
 };
 
 /// Refines until the gaps at both ends are at most AllowedGap(..., tolerance), or `gap` where that
-/// is larger, or the budget of boxes is spent.
+/// is larger, or the budget of boxes is exhausted.
 CertifiedRange SearchRange(RangeSearch& search, double tolerance, double gap, int budget);
 } // namespace pixelexact

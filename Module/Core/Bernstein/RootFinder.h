@@ -36,9 +36,10 @@ struct RootSearchResult
 {
   std::vector<IsolatedRoot> roots;
   /// Boxes that may hold roots that are not listed: multiple roots, roots closer to each other than
-  /// the coefficients' errors allow to tell apart, whatever the budget left. Touching boxes are
-  /// joined. For systems of fewer equations than variables, whose solutions are no points, and of
-  /// more, these boxes are the answer: all solutions lie in them.
+  /// the coefficients' errors can separate, and boxes left when the budget was exhausted. Touching
+  /// boxes are joined. Systems of fewer equations than variables have solutions that are no points;
+  /// for these and for systems of more equations the boxes are the result: all solutions lie in
+  /// them.
   std::vector<ParameterBox> undecided;
   std::vector<ParameterBox> empty; ///< on request: proven to hold no root but listed ones
   std::int64_t boxes = 0;          ///< looked at
@@ -48,8 +49,8 @@ struct RootSearchResult
   [[nodiscard]] bool IsComplete() const { return undecided.empty(); }
 };
 
-/// All roots of a polynomial system in the unit cube, or the boxes where that could not be decided.
-/// Never loses a root, never invents one: see Module/Documentation/element-tree.md for the method
+/// Finds all roots of a polynomial system in the unit cube, or the boxes that could not be decided.
+/// Loses no root and lists no false one: see Module/Documentation/element-tree.md for the method
 /// and its proofs.
 RootSearchResult FindRoots(const PolynomialSystem& system, const RootSearch& search = {});
 } // namespace pixelexact

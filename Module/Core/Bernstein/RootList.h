@@ -15,7 +15,7 @@ public:
   }
 
   /// Lists the one root that `root.alone` holds, in `root.enclosure`, unless it is listed already
-  /// or outside of the unit cube. False where it cannot be told from a listed one.
+  /// or lies outside the unit cube. Returns false where it cannot be separated from a listed root.
   bool Add(const IsolatedRoot& root);
 
   /// Whether a listed root is known to be the only one anywhere in the box.

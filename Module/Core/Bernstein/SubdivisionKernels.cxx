@@ -14,12 +14,12 @@ namespace pixelexact::HWY_NAMESPACE
 {
 using Traits = NumberTraits<Lanes>;
 
-/// b = (a + b) / 2 for `count` numbers; a and b may overlap where b is behind a.
+/// b = (a + b) / 2 for `count` numbers; a and b may overlap where b comes after a.
 HWY_INLINE void Average(const double* a, double* b, std::size_t count)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const Lanes half = Traits::Splat(0.5);
-  // From the end on, so that what is read has not been written.
+  // Runs from the end, so that no number is written before it is read.
   std::size_t i = count;
   for (; i >= lanes; i -= lanes)
   {
@@ -31,7 +31,7 @@ HWY_INLINE void Average(const double* a, double* b, std::size_t count)
   }
 }
 
-/// One line or sheet of coefficients: n + 1 pieces of `stride` numbers, where they are.
+/// One line or sheet of coefficients: n + 1 rows of `stride` numbers, subdivided in place.
 HWY_INLINE void SubdivideInPlace(std::size_t n, std::size_t stride, double* b, double* u)
 {
   const auto copy = [&](std::size_t to) PIXELEXACT_INLINED
@@ -41,7 +41,7 @@ HWY_INLINE void SubdivideInPlace(std::size_t n, std::size_t stride, double* b, d
       u[to * stride + i] = b[n * stride + i];
     }
   };
-  // Each sweep leaves one coefficient of either half in place.
+  // Each sweep leaves one coefficient of each child in place.
   copy(n);
   for (std::size_t level = 1; level <= n; ++level)
   {
@@ -50,23 +50,23 @@ HWY_INLINE void SubdivideInPlace(std::size_t n, std::size_t stride, double* b, d
   }
 }
 
-/// All sweeps of a pack of lines side by side, from coefficients in `line` to the lower half's,
-/// with the upper half's left in `upper`: n + 1 packs each, `stride` apart. Two sweeps at once, so
-/// that what the first makes stays in registers.
+/// All sweeps of a pack of lines side by side, from coefficients in `line` to those of the lower
+/// child; `upper` receives those of the upper child: n + 1 packs each, `stride` apart. Two sweeps
+/// run at once, so that the results of the first stay in registers.
 HWY_INLINE void SubdivideLines(std::size_t n, double* line, double* upper, std::size_t stride)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const Lanes half = Traits::Splat(0.5);
   const auto at = [&](std::size_t i) PIXELEXACT_INLINED { return Traits::Load(line + i * lanes); };
-  const auto tell = [&](Lanes end, std::size_t i) PIXELEXACT_INLINED
+  const auto storeUpper = [&](Lanes end, std::size_t i) PIXELEXACT_INLINED
   { Store(end, upper + i * stride); };
-  tell(at(n), n);
+  storeUpper(at(n), n);
   std::size_t level = 1;
   for (; level < n; level += 2)
   {
     Lanes below = at(n - 1);
     Lanes once = half * (below + at(n));
-    tell(once, n - level);
+    storeUpper(once, n - level);
     for (std::size_t i = n; i > level; --i)
     {
       const Lanes next = at(i - 2);
@@ -76,17 +76,17 @@ HWY_INLINE void SubdivideLines(std::size_t n, double* line, double* upper, std::
       once = first;
     }
     Store(once, line + level * lanes);
-    tell(at(n), n - level - 1);
+    storeUpper(at(n), n - level - 1);
   }
   if (level == n)
   {
     Store(half * (at(n - 1) + at(n)), line + n * lanes);
-    tell(at(n), 0);
+    storeUpper(at(n), 0);
   }
 }
 
-/// The sweeps' coefficients: a pack of lines, once for what is halved and once for what is kept
-/// back.
+/// Buffers of the sweeps: one pack of lines to subdivide, and one that is loaded before it is
+/// overwritten.
 class LineBuffers
 {
 public:
@@ -129,7 +129,8 @@ HWY_INLINE void SubdivideSheet(
       Store(Traits::Load(line + i * lanes), b + i * stride + column);
     }
   };
-  // The last pack overlaps the one before, which must not be halved twice.
+  // The last pack overlaps the one before. Its lines are loaded first, so that they are subdivided
+  // once.
   const std::size_t last = stride - lanes;
   load(last, buffers.Second());
   for (std::size_t column = 0; column < last; column += lanes)
