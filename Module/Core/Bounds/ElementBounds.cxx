@@ -20,8 +20,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Rounding of one evaluation of Phi by the kernels, per unit of the sum of |c| |mode|: the
-/// recurrences' and the sums' operations in a row.
+/// Bounds the rounding of one evaluation of Phi by the kernels, per unit of the sum of |c| |mode|:
+/// the number of successive operations of recurrences and sums.
 double EvaluationError(const Space& space)
 {
   return Gamma(4 * (space.order[0] + space.order[1] + space.order[2]) + 16);
@@ -60,7 +60,7 @@ void EvaluateCentre(const Space& space, const double* coefficients, double* valu
   }
 }
 
-/// False where the matrix (row-major) cannot be inverted.
+/// Returns false where the matrix (row-major) cannot be inverted.
 bool Invert(const double* matrix, double* inverse)
 {
   // GLM's matrices are column-major.
@@ -89,8 +89,9 @@ std::vector<double> ModeBounds(const Space& space)
   return bounds;
 }
 
-/// sum over all modes but the first, which is 1, of |c| |mode|: a bound that does not suffer from
-/// the growth of Bernstein coefficients with the order, which makes hulls of order 20 useless.
+/// Bounds the sum over all modes but the first, which is 1, of |c| |mode|. Unlike hulls, which are
+/// useless at order 20, the bound does not suffer from the growth of Bernstein coefficients with
+/// the order.
 double SpreadOf(const std::vector<double>& modeBounds, const double* component)
 {
   double sum = 0.0;
@@ -98,7 +99,7 @@ double SpreadOf(const std::vector<double>& modeBounds, const double* component)
   {
     sum += std::fabs(component[mode]) * modeBounds[mode];
   }
-  // The sum's rounding, and that of the bounds.
+  // Covers the rounding of the sum and of the mode bounds.
   return sum * (1.0 + Gamma(static_cast<int>(modeBounds.size()) + 64));
 }
 
@@ -108,7 +109,7 @@ enum class Errors : std::uint8_t
   Quick
 };
 
-/// What is made once per space, and kept by each thread.
+/// Data computed once per space and kept by each thread.
 struct SpaceTools
 {
   const BernsteinForm* form = nullptr;
@@ -145,8 +146,8 @@ ComponentHulls MakeHulls(const Space& space, const double* coefficients, Errors 
   return hulls;
 }
 
-/// In world units, for coordinates of at most this magnitude: a point meant to lie on a face is
-/// known to half an ulp of its coordinates, the face to the mesh's uncertainty.
+/// Slack in world units, for coordinates of at most this magnitude: a point meant to lie on a face
+/// is known to half an ulp of its coordinates, the face to the mesh's uncertainty.
 double SlackOf(const Mesh& mesh, int element, double largest)
 {
   return mesh.uncertainty[element] + 4.0 * kUnitRoundoff * largest;
@@ -215,8 +216,8 @@ void MakeFrame(const Space& space, const double* coefficients, const ComponentHu
   for (int d = 0; d < 3; ++d)
   {
     largest = std::max({ largest, -bounds.lower[d], bounds.upper[d] });
-    // The hull's own error, that of Phi and y, and of the products here and in MightContain, whose
-    // factors y are of size 1.
+    // Covers the hull's own error, that of Phi and y, and of the products here and in MightContain,
+    // whose factors y are of size 1.
     double slack = Gamma(16) * 4.0;
     for (int c = 0; c < 3; ++c)
     {
@@ -291,7 +292,7 @@ InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBo
     problem.start[d] = start[d];
     problem.uncertainty[d] = bounds.uncertainty[d];
   }
-  // Without a frame Newton begins at the shape's centre.
+  // Without a frame, Newton's iteration begins at the shape's centre.
   std::copy_n(bounds.inverse, 9, problem.inverse);
   if (!bounds.framed)
   {

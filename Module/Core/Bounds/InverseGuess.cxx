@@ -15,8 +15,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Points along each eta: Chebyshev's, stretched so that the outermost lie on the faces. Beyond all
-/// points the polynomial is not asked.
+/// Points along each eta: Chebyshev's, stretched so that the outermost lie on the faces. The
+/// polynomial is not evaluated outside of them.
 constexpr int kGuessPoints = kGuessDegree + 2;
 
 using Terms = Eigen::Matrix<double, 1, kGuessTerms>;
@@ -56,7 +56,7 @@ std::vector<Vec3> SamplePoints(Shape shape)
   return TensorLattice(shape, eta);
 }
 
-/// What the frame takes Phi(xi) for.
+/// The affine frame's preimages of the points Phi(xi).
 std::vector<Vec3> FrameImages(const InverseProblem& problem, const std::vector<Vec3>& xi)
 {
   const LaneBuffer at(xi);
@@ -111,7 +111,7 @@ InverseGuess MakeInverseGuess(const InverseProblem& problem)
     wanted.row(k) << at.x, at.y, at.z;
     framed.row(k) << image.x, image.y, image.z;
   }
-  // The whole product at once: row by row it took twice as long.
+  // One product of whole matrices takes half the time of products row by row.
   Eigen::Matrix<double, kGuessTerms, kGuessTerms> normal;
   normal.setZero();
   normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());

@@ -14,9 +14,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a pyramid's mode f, times the distance h = (1 - eta3) / 2 to the apex. A derivative by xi is
-/// at most 1 / h times the sum of those by eta, each at most its degree squared times the largest
-/// value (A. Markov), and |f| <= C(r + 2 m + 2, r) h^m (ModeBound.cxx).
+/// Bounds the second derivatives of a pyramid's mode f, times the distance h = (1 - eta3) / 2 to
+/// the apex. A derivative by xi is at most 1 / h times the sum of those by eta, each at most its
+/// degree squared times the largest value (A. Markov), and |f| <= C(r + 2 m + 2, r) h^m
+/// (ModeBound.cxx).
 double SecondDerivativeBoundOfPyramid(int p, int q, int r)
 {
   const int m = std::max(p, q);
@@ -29,8 +30,8 @@ double SecondDerivativeBoundOfPyramid(int p, int q, int r)
   return 9.0 * first * (first + 1.5) * largest;
 }
 
-/// Of the mode P_p(eta1) P_q(eta2) P_r(eta3) of a pyramid, times h^2: by the chain rule, with
-/// d eta_i / d xi_i = 1 / h, d eta_i / d xi_3 = (1 + eta_i) / 2 h <= 1 / h for i = 1, 2, and h
+/// The same for the mode P_p(eta1) P_q(eta2) P_r(eta3) of a pyramid, times h^2: by the chain rule,
+/// with d eta_i / d xi_i = 1 / h, d eta_i / d xi_3 = (1 + eta_i) / 2 h <= 1 / h for i = 1, 2, and h
 /// <= 1.
 double SecondDerivativeBoundOfTensorPyramid(int p, int q, int r)
 {
@@ -40,9 +41,9 @@ double SecondDerivativeBoundOfTensorPyramid(int p, int q, int r)
     (first(p) + first(q)) * (4.0 * first(r) + 2.0);
 }
 
-/// Of a mode of magnitude 1 at most: bounds of the sum of its second derivatives' magnitudes over
-/// the shape. Legendre's polynomials have their largest derivatives at the ends. In a convex body
-/// of least width w a polynomial of degree n and magnitude 1 has gradients of at most 4 n^2 / w (D.
+/// Bounds the sum of the second derivatives' magnitudes over the shape, for a mode of magnitude at
+/// most 1. Legendre polynomials have their largest derivatives at the ends. In a convex body of
+/// least width w a polynomial of degree n and magnitude 1 has gradients of at most 4 n^2 / w (D.
 /// Wilhelmsen, A Markov inequality in several dimensions, J. Approx. Theory 11, 1974); w is sqrt(2)
 /// for the triangle, 2 / sqrt(3) for the tetrahedron.
 double SecondDerivativeBound(Shape shape, int p, int q, int r)
@@ -70,8 +71,9 @@ double SecondDerivativeBound(Shape shape, int p, int q, int r)
   }
 }
 
-/// How much polynomials of the space may grow over 6e-3 beyond the shape, by Chebyshev's. Of a
-/// pyramid it is 6e-3 h, in eta1 and eta2 twice as much, and 1 / h grows too.
+/// Bounds the growth of the space's polynomials over 6e-3 outside the shape by Chebyshev
+/// polynomials. For a pyramid the distance is 6e-3 h, twice as much in eta1 and eta2, and 1 / h
+/// grows as well.
 double GrowthBeside(const Space& space)
 {
   const auto [P, Q, R] = space.order;
@@ -82,7 +84,7 @@ double GrowthBeside(const Space& space)
   return space.shape == Shape::Hexahedron ? std::exp(0.11 * (P + Q + R)) : std::exp(0.29 * (Q + R));
 }
 
-/// Of InverseProblem::bend, per unit of each mode's coefficient.
+/// Bounds InverseProblem::bend per unit of each mode's coefficient.
 std::vector<double> BendBounds(const Space& space)
 {
   std::vector<double> bounds;
@@ -100,7 +102,7 @@ std::vector<double> BendBounds(const Space& space)
   return bounds;
 }
 
-/// The same, made once per space and kept by each thread.
+/// The same, computed once per space and kept by each thread.
 const std::vector<double>& BendBoundsOf(const Space& space)
 {
   thread_local std::map<Space, std::vector<double>> kept;

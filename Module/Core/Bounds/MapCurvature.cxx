@@ -15,10 +15,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Points along each eta, Chebyshev's.
+/// The number of Chebyshev points along each eta.
 constexpr int kCurvaturePoints = 4;
 constexpr double kSafety = 2.0;
-/// Below this, steps are as few as they can be.
+/// Below this curvature, Newton's iteration takes the smallest number of steps.
 constexpr double kMin = 1e-3;
 
 std::vector<Vec3> LatticeOf(Shape shape)
@@ -31,7 +31,7 @@ std::vector<Vec3> LatticeOf(Shape shape)
   return TensorLattice(shape, eta);
 }
 
-/// The matrix norm that goes with the max norm. Columns, as GLM has them.
+/// The matrix norm induced by the max norm. GLM's matrices are stored by columns.
 double RowSumNorm(const Mat3& m)
 {
   double norm = 0.0;
@@ -42,7 +42,7 @@ double RowSumNorm(const Mat3& m)
   return norm;
 }
 
-/// What lengths between two points are measured by.
+/// The unit of length at two points: for a pyramid the lesser of 1 and the distance to the apex.
 double UnitAt(Shape shape, const Vec3& a, const Vec3& b)
 {
   return shape == Shape::Pyramid ? std::min(1.0, 0.5 * (1.0 - std::max(a.z, b.z))) : 1.0;

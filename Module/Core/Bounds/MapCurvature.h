@@ -5,13 +5,21 @@
 
 namespace pixelexact
 {
-/// What is taken for a map of which nothing is known.
+/// Default curvature.
 inline constexpr double kUnknownCurvature = 32.0;
 
-/// About the largest || J(a)^-1 (J(b) - J(a)) || / || b - a || over the shape, max norms in xi:
-/// what the square of a Newton step is multiplied by at most. From Jacobians at a lattice of
-/// points, doubled: an estimate, not a bound. Of pyramids, whose Jacobians turn about the apex, in
-/// units of the distance to it, the lesser of 1 and (1 - xi_3) / 2. Where a Jacobian cannot be
-/// inverted, kUnknownCurvature.
+/// Estimates the largest
+///
+/// J(a)^-1 (J(b) - J(a))
+///
+/// /
+///
+/// b - a
+///
+/// over the shape, max norms in xi: after a Newton step the error is at most this number times the
+/// square of the error before it. Takes Jacobians at a lattice of points and doubles the result: an
+/// estimate, not a bound. Jacobians of pyramids vary with the direction to the apex, so lengths are
+/// in units of the lesser of 1 and (1 - xi_3) / 2. Returns kUnknownCurvature where a Jacobian
+/// cannot be inverted.
 double MapCurvature(const Space& space, const double* coefficients);
 } // namespace pixelexact
