@@ -8,17 +8,17 @@
 
 namespace pixelexact
 {
-/// Proves that points of a contour in an element are joined by it in their order.
+/// Proves that a contour in an element passes given points in their order.
 ///
 /// From one point to the next, a box of eta about both, in which eta_k grows from one to the other,
 /// is a tube if, with C near the inverse of the Jacobian of (f, s) by the two other eta,
 ///   (C (f, s))_i < 0 on the box's lower side i and > 0 on the upper one, for both i, and
 ///   the Jacobian of C (f, s) is strictly diagonally dominant in the box:
 /// each slice eta_k = const then holds one zero (Miranda's theorem) and no other (the mean value
-/// theorem), so that the box holds one arc, from end to end. All by hulls of Bernstein
-/// coefficients, rounding included. Where that fails, the two halves about a point of the arc
-/// between are tried. Where a side lies in a face of the element, it may be crossed where the
-/// contour is known to cross the face, at the arc's own ends alone.
+/// theorem), so that the box holds one arc, from end to end. All conditions are checked by hulls of
+/// Bernstein coefficients, rounding included. Where that fails, the arc is divided at a point of
+/// the contour, and both boxes are tried. A side of the box may lie in a face of the element; there
+/// the contour may cross it at the arc's own ends alone.
 class ArcProof
 {
 public:

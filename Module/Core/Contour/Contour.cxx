@@ -21,11 +21,12 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the mesh's diagonal: the least tolerance. A line as long as that has some 100,000 points
-/// then.
+/// The smallest tolerance, relative to the mesh's diagonal. A line as long as the diagonal has some
+/// 100,000 points at this tolerance.
 constexpr double kMinTolerance = 1e-10;
 
-/// Of one element: of the values for which the hulls leave room, in their order.
+/// The contours of one element, for the values that the hulls do not exclude, in the order of the
+/// values.
 struct FoundInElement
 {
   struct OfValue
@@ -37,8 +38,8 @@ struct FoundInElement
   bool finite = true;
 };
 
-/// At first for each element and value: more than most need. Then, of those for which it is not
-/// enough, as much as so many together may have of the whole effort.
+/// The budget of the first pass, per element and value. It suffices for most. The second pass
+/// divides the total effort between the pairs for which it did not suffice.
 constexpr ContourEffort kFirst{ { 400, 32 }, 30'000 };
 constexpr std::size_t kWholeEfforts = 64;
 
@@ -50,7 +51,7 @@ FoundInElement TraceAll(const ContourQuestion& question, int element, const Cont
   for (std::size_t v = 0; v < request.values.size() && equations.MayMeetCut(); ++v)
   {
     const double value = request.values[v];
-    // The norm of a vector is 0 at points.
+    // A vector's norm is 0 at points, not on lines.
     if ((!question.IsMagnitude() || value > 0.0) && equations.MayHave(value))
     {
       found.contours.push_back(
@@ -60,8 +61,8 @@ FoundInElement TraceAll(const ContourQuestion& question, int element, const Cont
   return found;
 }
 
-/// The effort for each of some pairs of elements and values together; none where it is not more
-/// than the first.
+/// Returns the effort for each of `pairs` pairs of element and value in the second pass; none where
+/// it does not exceed that of the first.
 std::optional<ContourEffort> EffortForEachOf(std::size_t pairs)
 {
   const ContourEffort whole;
@@ -98,7 +99,7 @@ void Check(const ContourRequest& request, const Box3& box)
   }
 }
 
-/// Whether a piece lies in a face that the surface contains, and another element draws it.
+/// Whether another element draws a piece, which lies in a face that the surface contains.
 bool IsAnothers(const CurvePiece& piece, const ElementContour& contour, const Mesh& mesh,
   const FaceOwner& owner, int element)
 {
@@ -137,8 +138,8 @@ ContourSet TraceContours(const ContourQuestion& question, const Locator& locator
   };
   forEach(
     count, [&](std::size_t e) { found[e] = TraceAll(question, static_cast<int>(e), request); });
-  // Second pass: the pairs of elements and values whose budget was exhausted, with what all of them
-  // may have together.
+  // Second pass: the pairs of elements and values whose budget was exhausted share the total
+  // effort.
   std::vector<std::pair<int, FoundInElement::OfValue*>> hard;
   for (std::size_t e = 0; e < count; ++e)
   {

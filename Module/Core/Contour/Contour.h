@@ -27,7 +27,7 @@ struct ContourLine
   bool certified = false;
 };
 
-/// What was found, and what could not be decided.
+/// Counts of the pieces found, and of the cases that could not be decided.
 struct ContourReport
 {
   std::int64_t elements = 0;    ///< looked into: the hulls leave room for a contour
@@ -70,11 +70,11 @@ struct ContourRequest
 /// Unsupported for a mapped field (H(curl), H(div), density).
 ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
   const FaceTable& faces, const ContourRequest& request);
-/// The same on each of several parts of a surface, in place of the question's cut and clips. Lines
-/// end where their part does.
+/// The same on each of several patches of a surface, in place of the question's cut and clips.
+/// Lines end at the patches' ends.
 ContourSet TraceContours(const ContourQuestion& question, std::span<const SurfacePatch> patches,
   const Locator& locator, const FaceTable& faces, const ContourRequest& request);
 
-/// Adds other contours, whose values are numbered from `valuesBefore` on.
+/// Appends contours `more` to `all`. Their values are numbered from `valuesBefore` on.
 void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all);
 } // namespace pixelexact

@@ -6,19 +6,20 @@
 
 namespace pixelexact
 {
-/// What is contoured on which surface. The views must outlive whoever holds it.
+/// A field to contour on a cut-surface of a mesh. The views must outlive the object.
 struct ContourQuestion
 {
   Mesh mesh;
   const Field* field = nullptr; ///< Mapping::Identity
-  /// -1: the Euclidean norm of all components, which of a single one is itself, sign and all.
+  /// -1: the Euclidean norm of all components. For a field of one component this is the component
+  /// itself, with its sign.
   int component = 0;
   const CutFunction* cut = nullptr;
-  /// The part of the surface that counts: where none of these is positive.
+  /// The surface counts only where none of these polynomials is positive.
   std::span<const ImplicitPolynomial> clips{};
 
   [[nodiscard]] bool IsMagnitude() const { return component < 0 && field->values.components > 1; }
-  /// The one that is contoured, where that is not the norm.
+  /// The component to contour, if it is not the norm.
   [[nodiscard]] int Component() const { return component < 0 ? 0 : component; }
 };
 } // namespace pixelexact

@@ -16,22 +16,23 @@ namespace pixelexact
 {
 namespace
 {
-/// Directions along which closed contours are searched for after that of a known piece: no axes,
-/// so that what is aligned in a mesh is not normal to them.
+/// Directions along which closed contours are searched for after that of a known piece. They are
+/// not parallel to axes, so that faces aligned with axes are not normal to them.
 constexpr Vec3 kAlong[2] = { { 0.7304251, 0.5231847, 0.4391063 },
   { -0.4137902, 0.6920318, 0.5914827 } };
-/// A seed found by Newton's iteration is the root that was isolated if it is as near in xi; where
-/// the root is that of an interpolated surface, it may be off by more.
+/// A seed found by Newton's iteration is the isolated root if it is at most this far away in xi.
+/// For an interpolated surface the distance may be larger.
 constexpr double kRefined = 2e-6;
 constexpr double kFoundNear = 0.1;
 
-/// Zero to within the bound of its own rounding: what it is made of may be zero throughout.
+/// Whether f is zero to within the bound of its own rounding.
 bool IsZero(const BoxPolynomial& f)
 {
   return LargestMagnitude(f.b) <= f.error;
 }
 
-/// f - lambda s, with the number lambda by which f rises with s: it is f wherever s is zero.
+/// f - lambda s, where lambda is the ratio of the slopes of f and s. It equals f wherever s is
+/// zero.
 BoxPolynomial LessMultiple(const BoxPolynomial& f, const BoxPolynomial& s)
 {
   Degrees degree;
@@ -107,7 +108,7 @@ public:
   }
 
 private:
-  /// Along one direction after the other, until one tells all.
+  /// Searches along one direction after the other, until one leaves nothing undecided.
   void SearchTurns(const std::vector<CurvePart>& parts)
   {
     std::vector<Vec3> directions(std::begin(kAlong), std::end(kAlong));

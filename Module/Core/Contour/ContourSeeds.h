@@ -30,8 +30,8 @@ struct SeedSearchResult
 {
   std::vector<ContourSeed> seeds;
   std::vector<OpenPlace> open; ///< some of them, SeedEffort::open at most
-  /// On which the surface, or the value, is everywhere: its polynomial is zero there to within the
-  /// bound of its own rounding.
+  /// Faces on which the surface or the value holds everywhere: the polynomial is zero there to
+  /// within the bound of its own rounding.
   std::vector<int> heldFaces;
   /// Whether every piece of the contour passes one of the seeds: it ends on the boundary, or is
   /// closed and turns along the direction that was searched.
@@ -42,8 +42,8 @@ struct SeedSearchResult
   bool constant = false;
 };
 
-/// What may be spent on one element: boxes that are looked at for turns, as many on each face
-/// (1,000 at most), and places that stay open. Where that is exhausted, the result is not complete.
+/// Work budget of one element: boxes that the search for turns visits, as many on each face (1,000
+/// at most), and the number of undecided places. Where it is exhausted, the result is not complete.
 struct SeedEffort
 {
   int boxes = 4000;

@@ -15,15 +15,15 @@ struct CurvePolynomials
   BoxPolynomial f;
   BoxPolynomial s;
 
-  /// Whether the hulls leave room for a common zero.
+  /// Whether the hulls allow a common zero.
   [[nodiscard]] bool MayVanish() const;
-  /// Children both along a direction and returns the upper halves.
+  /// Subdivides both along a direction; becomes the lower child and returns the upper one.
   CurvePolynomials Subdivide(int direction);
 };
 
-/// Makes them over parts of one element: of the stored map and field, exactly, up to the errors
-/// that the polynomials carry. A cut-surface that has no polynomial (CutFunction::Polynomial) is
-/// interpolated: what is concluded from its polynomial is not proven.
+/// Computes these polynomials over parts of one element from the stored map and field, exactly up
+/// to the errors that the polynomials carry. A cut-surface that has no polynomial
+/// (CutFunction::Polynomial) is interpolated; results for it are not proven.
 class CurveEquations
 {
 public:
@@ -35,21 +35,20 @@ public:
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
   [[nodiscard]] bool IsExact() const { return Question.cut->Polynomial() != nullptr; }
 
-  /// Whether the hulls over the whole element leave room for the surface (if it has no polynomial,
-  /// they do), and for a value.
-  /// Also for a part of it that no clip of the question cuts off.
+  /// Whether the hulls over the whole element, or over the part that no clip of the question
+  /// removes, allow the surface or a value. A surface without a polynomial is always allowed.
   [[nodiscard]] bool MayMeetCut() const { return MeetsCut; }
   [[nodiscard]] bool MayHave(double value) const;
 
-  /// log2 of the number of pieces along each direction on which they are well converted.
+  /// log2 of the number of pieces along each direction on which the conversion is accurate.
   [[nodiscard]] int Level() const { return level_; }
   /// s over a box of the cube that lies in one piece of this level.
   [[nodiscard]] BoxPolynomial CutOver(int level, const Box3& box) const;
-  /// The field's value less `value` (of a norm, their squares).
+  /// The field's value minus `value`; for a norm, the difference of their squares.
   [[nodiscard]] BoxPolynomial FieldOver(int level, const Box3& box, double value) const;
 
 private:
-  /// The value (of a norm, its square), scaled as the modes are.
+  /// The value, for a norm its square, scaled as the modes are.
   [[nodiscard]] Interval InModesUnits(double value) const;
   [[nodiscard]] BoxPolynomial SampledOver(const Box3& box) const;
 

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What is known at a point of an element.
+/// Values and derivatives at a point of a contour in an element.
 struct CurvePoint
 {
   Vec3 xi{ 0.0 };
@@ -25,12 +25,12 @@ struct CurvePoint
   Vec3 direction{ 0.0 };      ///< of the curve, in xi: the two gradients' product, of length 1
   Vec3 worldDirection{ 0.0 }; ///< of the curve, world units per unit of `direction`
 
-  /// Whether the curve has a direction here: it has none at singular points, and where the field's
-  /// rounding could part or remove it.
+  /// Whether the curve has a direction here. It has none at singular points, and where the rounding
+  /// of the field could split or remove it.
   [[nodiscard]] bool IsRegular() const;
 };
 
-/// n . xi = offset: of the plane that makes a point of a curve a root of three equations.
+/// The plane n . xi = offset. With the curve's two equations it determines a point.
 struct CurvePlane
 {
   Vec3 normal{ 0.0 };
@@ -38,26 +38,26 @@ struct CurvePlane
 };
 
 /// Evaluates one element, and finds points of its contours by Newton's iteration in xi. Keeps
-/// scratch arrays: each thread makes its own.
+/// scratch arrays: each thread needs its own.
 class CurveEvaluator
 {
 public:
   CurveEvaluator(const ContourQuestion& question, int element, double value);
 
   [[nodiscard]] CurvePoint At(const Vec3& xi);
-  /// From now on the curve is where along . (grad F x grad s), by xi, vanishes, in place of F -
-  /// rho: on a line that the field touches without crossing it both do, and the turn has a slope
-  /// there.
+  /// From now on the curve is the zero set of along . (grad F x grad s), by xi, in place of F -
+  /// rho. On a line that the field touches without crossing it, both vanish, and the turn has a
+  /// nonzero slope.
   void FollowTurn(const Vec3& along) { Along = along; }
-  /// How grad F x grad s, by xi, changes with xi: by differences. Of rank 1 on a touched line, with
-  /// the line's direction as image.
+  /// The derivative of grad F x grad s by xi, from differences. On a touched line it has rank 1,
+  /// and its image is the line's direction.
   [[nodiscard]] Mat3 TurnByXi(const Vec3& xi);
-  /// What the rounding of the field's coefficients can move it by (Plateau.h).
+  /// Bounds the change of the field by the rounding of its coefficients (Plateau.h).
   [[nodiscard]] double Rounding() const { return Digits; }
-  /// The point of the contour in the plane, converged to rounding, that Newton's iteration from
-  /// `xi` leads to. None where it does not converge, or only farther away than `reach`.
+  /// The point of the contour in the plane to which Newton's iteration from `xi` converges, to
+  /// rounding. None where it does not converge, or only at a distance of more than `reach`.
   std::optional<CurvePoint> InPlane(const Vec3& xi, const CurvePlane& plane, double reach);
-  /// A point of the contour near `xi`, by steps of least length.
+  /// A point of the contour near `xi`, by steps of least norm.
   std::optional<CurvePoint> Near(const Vec3& xi, double reach);
 
 private:

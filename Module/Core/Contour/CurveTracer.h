@@ -27,12 +27,12 @@ struct TraceLimits
 
 /// Follows the contours of an element from seed to seed, which it marks as used.
 ///
-/// A step: along the tangent, then Newton's iteration in the plane normal to the step. It is kept
-/// if the tangent turned by less than 20 degrees and the sagitta is at most 0.7 times the
-/// tolerance. That is the larger of two estimates, neither a bound: the distance to the chord of
-/// the curve's point over its middle, found by the same iteration, and that of the cubic with the
-/// curve's ends and tangents, which tells an inflexion. Steps that pass a seed are told by the
-/// seed: the curve's point in the plane through it is the seed.
+/// A step moves along the tangent, then Newton's iteration solves in the plane normal to the step.
+/// It is kept if the tangent turned by less than 20 degrees and the sagitta is at most 0.7 times
+/// the tolerance. The sagitta is the larger of two estimates, neither a bound: the distance to the
+/// chord of the curve's point over its middle, found by the same iteration, and that of the cubic
+/// with the curve's ends and tangents, which detects an inflexion. A step passes a seed if the
+/// curve's point in the plane through the seed is the seed.
 class CurveTracer
 {
 public:
@@ -41,7 +41,7 @@ public:
 
   /// All pieces: those that end on the boundary, then closed ones.
   std::vector<CurvePiece> TraceAll(std::vector<ContourSeed>& seeds);
-  /// Whether a piece is lost because there were no steps left.
+  /// Whether a piece is lost because the budget of steps was exhausted.
   [[nodiscard]] bool IsSpent() const { return Limits.steps <= 0; }
 
 private:
@@ -62,7 +62,7 @@ private:
     Closed,
     Lost
   };
-  /// +1 or -1: the sense of the direction that leads into the element; 0 where neither does.
+  /// +1 or -1: the sign of the direction that leads into the element; 0 where neither sign does.
   [[nodiscard]] int Inward(const ContourSeed& seed) const;
   [[nodiscard]] bool IsOn(std::size_t face, const ContourSeed& seed) const;
   /// Whether the curve is parallel to all faces that the point is on.

@@ -6,7 +6,7 @@
 
 namespace pixelexact
 {
-/// What may be spent on one element and value.
+/// Work budget of one element and value.
 struct ContourEffort
 {
   SeedEffort seeds{};
@@ -26,8 +26,8 @@ struct ElementContour
   std::ptrdiff_t touched = 0; ///< pieces that the field touches without crossing the value
 };
 
-/// The tolerance in world units. The equations are those of the element, finite, and the hulls
-/// leave room for the contour (MayMeetCut, MayHave).
+/// Traces the contour of `value`; `tolerance` is in world units. The equations must be those of the
+/// element, finite, and the hulls must allow the contour (MayMeetCut, MayHave).
 ElementContour TraceElement(const ContourQuestion& question, const CurveEquations& equations,
   int element, double value, double tolerance, const ContourEffort& effort = {});
 } // namespace pixelexact

@@ -15,10 +15,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Ends this near to each other are one, in sizes of their elements: values and surfaces on both
+/// Ends at most this far apart are joined, in sizes of their elements: values and surfaces on both
 /// sides of a face agree to the digits of the solver's file.
 constexpr double kSameEnd = 1e-7;
-/// Ends that are one by chance differ by more than rounding.
+/// Distinct ends that lie close to each other by chance differ by more than this.
 constexpr double kRounding = 1e-11;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
@@ -129,7 +129,7 @@ private:
     return static_cast<std::int64_t>(Set.vertices.size()) - 1;
   }
 
-  /// Of the two points that are one, that in the lower element.
+  /// Adds one vertex for two joined ends: the point in the element with the lower number.
   std::int64_t AddEnd(std::size_t end)
   {
     const std::size_t other = Partner[end];

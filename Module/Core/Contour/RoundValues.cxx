@@ -12,9 +12,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a step: what is as near to an end of the range counts as the end.
+/// A value at most this fraction of a step from an end of the range counts as the end.
 constexpr double kAtEnd = 0.05;
-/// Multiples above it are no longer whole numbers in doubles.
+/// Larger multiples are no longer whole numbers in doubles.
 constexpr double kMaxMultiple = 9e15;
 
 /// multiple * 10^exponent, rounded once.
@@ -27,15 +27,15 @@ double Decimal(double multiple, int exponent)
   return value + 0.0; // no -0
 }
 
-/// The whole numbers first, first + step, ... that are as many as asked for inside a range.
+/// Whole numbers first, first + step, ... inside a range.
 struct Progression
 {
   double first;
   double step;
 };
 
-/// Of a range in units: the step of which multiples fit, else the one whose values are nearest to
-/// the middle of the range; none where none of `count` values leaves room for no further one.
+/// Chooses the step for a range in units: a step whose multiples fit, else the one whose values are
+/// nearest to the middle of the range. None where any `count` values leave space for a further one.
 std::optional<Progression> FitProgression(int count, double lower, double upper)
 {
   std::optional<Progression> best;
@@ -44,7 +44,8 @@ std::optional<Progression> FitProgression(int count, double lower, double upper)
   const auto leastStep = std::max(1.0, std::ceil(length / (count + 1.0 + 2.0 * kAtEnd)));
   for (double step = leastStep; step <= length && step * (count - 1) <= length; ++step)
   {
-    // The last whole number that is not inside at the lower end, the first at the upper one.
+    // The last whole number that is not inside at the lower end, and the first one at the upper
+    // end.
     const double below = std::floor(lower + kAtEnd * step);
     const double above = std::ceil(upper - kAtEnd * step);
     const double least = std::max(below + 1.0, above - count * step);
@@ -105,7 +106,8 @@ std::vector<double> LinearValues(int count, const std::array<double, 2>& range)
   }
 }
 
-/// The nearest by its logarithm of `factors` times powers of ten; the factors are from 1 to 10.
+/// The number nearest to `value` by its logarithm among `factors` times powers of ten; the factors
+/// are from 1 to 10.
 template <std::size_t Count>
 double NearestOf(const std::array<int, Count>& factors, double value)
 {
@@ -123,7 +125,7 @@ double NearestOf(const std::array<int, Count>& factors, double value)
   return nearest;
 }
 
-/// Rounded to so many digits.
+/// Rounds to `digits` digits.
 double WithDigits(double value, int digits)
 {
   const int exponent = static_cast<int>(std::floor(std::log10(value))) - digits + 1;

@@ -13,7 +13,7 @@ constexpr std::array<SurfaceAbility, 15> kAbilities{ {
   { "discs", "", "--disc", 1, true, true, false },
   { "spheres", "vtkSphere", "--sphere", 2, true, true, true },
   { "cylinders", "vtkCylinder", "--cylinder", 2, true, true, true },
-  { "cones of two halves", "vtkCone", "--cone", 2, true, true, true },
+  { "double cones", "vtkCone", "--cone", 2, true, true, true },
   { "quadrics", "vtkQuadric", "--quadric", 2, true, true, true },
   { "tori", "vtkImplicitTorus", "--torus", 4, true, true, true },
   { "boxes", "vtkBox", "--box", 1, true, true, true },

@@ -17,10 +17,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Directions that are tried in an element: lines beside each other have the same.
+/// The number of directions that are tried in an element. Neighbouring lines have the same
+/// direction.
 constexpr int kDirections = 16;
 
-/// Of the image of a matrix of rank 1.
+/// The direction of the image of a matrix of rank 1; none where the matrix is zero or not finite.
 std::optional<Vec3> ImageOf(const Mat3& matrix)
 {
   Vec3 longest = matrix[0];

@@ -10,13 +10,14 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes in which the root finder is to settle a part that could still be halved.
+/// Boxes of the root finder for a part that can still be subdivided.
 constexpr int kTry = 48;
-/// Subdivisions of a piece before the root finder is asked, and at most.
+/// Subdivisions of a piece before the first call of the root finder, and the largest number of
+/// subdivisions.
 constexpr int kFirstAsked = 3;
 constexpr int kMaxTurnDepth = 15;
 
-/// Along which a part is halved: where its polynomials bend most.
+/// The direction in which a part's polynomials bend most; the part is subdivided along it.
 int DirectionOf(const CurvePart& part)
 {
   int best = 0;
@@ -75,7 +76,7 @@ void TurnSearch::Visit(CurvePart part, int depth)
   Visit(std::move(upper), depth + 1);
 }
 
-/// Whether c . (grad f x grad s) has one sign: of hulls of the derivatives.
+/// Whether c . (grad f x grad s) has one sign, by hulls of the derivatives.
 bool TurnSearch::HasNone(const CurvePart& part) const
 {
   Interval f[3];
@@ -113,8 +114,8 @@ BoxPolynomial TurnSearch::TurnOver(const CurvePart& part) const
   {
     const int i = (d + 1) % 3;
     const int j = (d + 2) % 3;
-    // Derivatives are by the part's own coordinates; any direction will do if all of the element
-    // is searched along the same.
+    // Derivatives are by the part's own coordinates. Any fixed direction works if the whole element
+    // is searched along it.
     const double factor = Along[d] * (part.box.upper[d] - part.box.lower[d]);
     const BoxPolynomial one = Combine(factor, Multiply(f[i], s[j]), -factor, Multiply(f[j], s[i]));
     turn = d == 0 ? one : Combine(1.0, turn, 1.0, one);
@@ -122,7 +123,8 @@ BoxPolynomial TurnSearch::TurnOver(const CurvePart& part) const
   return turn;
 }
 
-/// The root finder. False where it could not tell, and a smaller part may.
+/// Calls the root finder. Returns false where it left boxes undecided and a smaller part may
+/// succeed.
 bool TurnSearch::Ask(const CurvePart& part, bool last)
 {
   const BoxPolynomial turn = TurnOver(part);
