@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a field's mapping makes of its values, in balls. Included once per instruction set.
+// Maps the values of a field to the world, in balls. Included once per instruction set.
 #if defined(PIXELEXACT_BALL_MAPPING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_BALL_MAPPING_INL_H
 #undef PIXELEXACT_BALL_MAPPING_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// F's values become the world's, but for powers of the element's size.
+/// Maps F's values to world values, up to powers of the element's size.
 HWY_INLINE void MapBalls(Mapping mapping, const Ball* jacobian, int components, Ball* value)
 {
   const auto minor = [jacobian](int i, int j)
@@ -34,7 +34,7 @@ HWY_INLINE void MapBalls(Mapping mapping, const Ball* jacobian, int components, 
   const Ball F[3] = { value[0], value[1], value[2] };
   for (int i = 0; i < 3; ++i)
   {
-    // Row i of J, or of the cofactors, which are det J times J^-T.
+    // Row i of J, or of its cofactors, which are det J times J^-T.
     const auto factor = [&](int j)
     { return mapping == Mapping::Contravariant ? jacobian[3 * i + j] : minor(i, j); };
     value[i] = MulAdd(factor(0), F[0], MulAdd(factor(1), F[1], factor(2) * F[2])) / determinant;

@@ -11,16 +11,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A first box: curvature hardly shows in it, rounding of Phi even less.
+/// The first box. Curvature contributes little at this size, and rounding of Phi less.
 inline constexpr double kFirstRadius = 0x1p-32;
-/// Where the first box tells nothing, not even a Newton step: near a pyramid's apex.
+/// The first box where even a Newton step from kFirstRadius is unbounded, near a pyramid's apex.
 inline constexpr double kSmallRadius = 0x1p-48;
 inline constexpr int kMaxBoxes = 3;
 inline constexpr int kMaxInflations = 4;
-/// Mapped vectors have three.
+/// Mapped vectors have three components.
 inline constexpr int kComponentsAtOnce = 3;
 
-/// Where the preimages are: xi0 + deviation, within `radius` of xi0.
+/// Encloses the preimages: xi0 + deviation, within `radius` of xi0.
 struct PreimageBox
 {
   Point<Ball> deviation;
@@ -37,7 +37,7 @@ public:
   {
   }
 
-  /// Boxes of lanes that could not be proven are infinite.
+  /// Returns infinite boxes for lanes that could not be proven.
   HWY_INLINE PreimageBox Run(const Point<Lanes>& x)
   {
     const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
@@ -69,8 +69,8 @@ public:
   }
 
 private:
-  /// Looks for a box within `size` that K proves, growing it as K asks, and returns the lanes
-  /// where it found one; `box` changes in these alone.
+  /// Searches for a box within `size` that the operator K proves, and enlarges it to K's image
+  /// where that fails. Returns the lanes with such a box; `box` changes in these alone.
   HWY_INLINE LaneMask Contract(const Point<Lanes>& size, LaneMask open, PreimageBox& box)
   {
     Point<Lanes> rho;
@@ -107,8 +107,8 @@ private:
   KrawczykOperator Operator;
 };
 
-/// Some of the field's components over one pack's box: by the mean value form or directly,
-/// whichever is narrower; and their derivatives by xi.
+/// Encloses some of the field's components over one pack's box, by the mean value form or directly,
+/// whichever is narrower, and their derivatives by xi.
 void EncloseField(const EnclosureTask& task, const BallKernels& kernels, const Point<Lanes>& xi,
   const PreimageBox& box, int first, int count, Ball* value, Ball* gradient)
 {
@@ -162,12 +162,12 @@ void EnclosePacks(const EnclosureTask& task, const LanePoints& xi, const LanePoi
       for (int c = 0; c < count; ++c)
       {
         Store(value[c].middle, values.middle[first + c] + i);
-        // A constant is known wherever it is taken, but not that there is a preimage.
+        // A constant has a known value everywhere, but the preimage must be proven.
         Store(Select(proven, value[c].radius, infinity), values.radius[first + c] + i);
       }
       for (int c = 0; gradients.middle != nullptr && c < count; ++c)
       {
-        // du / dx = J^-T du / dxi, as of a covariant field.
+        // du / dx = J^-T du / dxi, as for a covariant field.
         Ball* const slope = gradient + 3 * c;
         MapBalls(Mapping::Covariant, jacobian, 3, slope);
         for (int d = 0; d < 3; ++d)

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// What the lanes work on; see EnclosureKernels.cxx.
+/// The input of the lanes of EnclosureKernels.cxx.
 struct EnclosureTask
 {
   Space mapSpace;
@@ -30,27 +30,28 @@ struct BallArrays
   double* const* radius = nullptr;
 };
 
-/// Encloses the field's values in the element's units: J and its inverse are those of Phi. Nothing
-/// is known where they are not both finite. With arrays for them, of a field that is not mapped,
-/// also of its derivatives by the element's coordinates, [3 c + d].
+/// Encloses the field's values in the element's units, for which J and its inverse are those of
+/// Phi. Unproven points have a middle or a radius that is not finite. `gradients`, for a field that
+/// is not mapped, receives the derivatives by the element's coordinates, [3 c + d].
 void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
   const BallArrays& values, const BallArrays& gradients = {});
 
-/// An element and a field as the lanes take them, and the way back to the world. The arrays of both
-/// must outlive it.
+/// Converts an element and a field to the lanes' units, and results to world units. The arrays of
+/// both must outlive it.
 class EnclosureProblem
 {
 public:
-  /// `uncertainty`: how far Phi may be from the stored map, world units.
+  /// `uncertainty`: the largest distance between Phi and the stored map, world units.
   EnclosureProblem(const Mesh& mesh, const Field& field, int element, double uncertainty);
   EnclosureProblem(const EnclosureProblem&) = delete;
   EnclosureProblem& operator=(const EnclosureProblem&) = delete;
 
-  /// Whether the element's size is one that the lanes' arithmetic takes: a power of two from 2^-900
-  /// to 2^900. Else there is no task.
+  /// Whether the lanes' arithmetic supports the element's size: a power of two from 2^-900 to
+  /// 2^900. If not, there is no task.
   [[nodiscard]] bool IsUsable() const { return Usable; }
   [[nodiscard]] const EnclosureTask& Task() const { return task_; }
-  /// A value, or a derivative, that the lanes enclosed; everything where they knew nothing.
+  /// Converts a value or a derivative that the lanes enclosed. Returns -inf to inf where they
+  /// proved nothing.
   [[nodiscard]] Interval ToWorld(double middle, double radius, bool isDerivative = false) const;
 
 private:

@@ -36,7 +36,7 @@ struct FloatCoefficients
       {
         std::frexp(largest, &exponent);
       }
-      // Both powers of two are normal numbers.
+      // Keeps both powers of two normal numbers.
       exponent = std::clamp(exponent, -1000, 1000);
       scale = std::ldexp(1.0, exponent);
       const double reciprocal = std::ldexp(1.0, -exponent);
@@ -72,7 +72,7 @@ private:
   }
 };
 
-/// A pack of points in doubles.
+/// Evaluates a pack of points in doubles.
 template <template <class, class, bool> class Modes>
 HWY_NOINLINE TwoLanes InDoubles(
   const Space& space, const double* coefficients, const Point<TwoLanes>& xi)
@@ -85,15 +85,15 @@ HWY_NOINLINE TwoLanes InDoubles(
   return value;
 }
 
-/// Two packs of points from `at` on. Where the second would lie beyond the padding, the first
-/// again.
+/// Loads two packs of points from `at` on. Loads the first pack twice where the second would lie
+/// beyond the padding.
 HWY_INLINE TwoLanes LoadTwo(const double* from, int at, int count)
 {
   const int second = at + LaneCount() < PaddedCount(count) ? at + LaneCount() : at;
   return { NumberTraits<Lanes>::Load(from + at), NumberTraits<Lanes>::Load(from + second) };
 }
 
-/// The same as floats.
+/// Loads the same points as floats.
 HWY_INLINE void LoadFloats(const double* from, int at, int count, FloatLanes& to)
 {
   const TwoLanes x = LoadTwo(from, at, count);
@@ -105,7 +105,7 @@ HWY_INLINE void LoadFloats(const double* from, int at, int count, TwoFloats& to)
   LoadFloats(from, at + kPacksOfFloats * LaneCount(), count, to.high);
 }
 
-/// What a component is made of, for sums that have to be made once more.
+/// The data of a component, for sums that are recomputed in doubles.
 struct FloatTask
 {
   const Space& space;
@@ -162,7 +162,7 @@ void FloatKernel(const Space& space, const double* coefficients, int components,
   };
   const int step = kPacksOfFloats * LaneCount();
   int i = 0;
-  // The first points of both packs of a pair must be there.
+  // The first points of both packs of a pair must exist.
   for (; i + step < xi.count; i += 2 * step)
   {
     run(TwoFloats(), i);

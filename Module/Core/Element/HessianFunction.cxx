@@ -22,7 +22,7 @@ constexpr std::size_t kH3 = kH2 + 1;
 
 constexpr Box3 kWholePiece{ Vec3(-1.0), Vec3(1.0) };
 
-/// The six: G^(xi) by eta.
+/// The six derivatives of G^(xi) by eta.
 struct Entry
 {
   std::size_t byXi;
@@ -35,8 +35,8 @@ BoxPolynomial Zero()
   return { {}, { 0.0 }, 0.0 };
 }
 
-/// A polynomial of one degree less, without its error: coefficient(at, k) for the k-th along a
-/// direction, which stands at `at` in the given one.
+/// A polynomial of one degree less, without its error. coefficient(at, k) is the k-th along the
+/// direction; `at` is the place of the k-th coefficient of the given polynomial.
 template <class Coefficient>
 BoxPolynomial Lowered(const BoxPolynomial& polynomial, int direction, Coefficient&& coefficient)
 {
@@ -54,7 +54,7 @@ BoxPolynomial Lowered(const BoxPolynomial& polynomial, int direction, Coefficien
   return result;
 }
 
-/// The bound of the error where coefficients are multiplied by `scale` at most.
+/// Bounds the error after coefficients are multiplied by at most `scale`.
 double ErrorAfter(double scale, const BoxPolynomial& polynomial)
 {
   return scale * (polynomial.error + Gamma(3) * LargestMagnitude(polynomial.b)) * (1.0 + Gamma(8)) +
@@ -78,8 +78,8 @@ BoxPolynomial Differentiate(const BoxPolynomial& polynomial, int direction, int 
   return result;
 }
 
-/// Over h = (1 - eta_direction) / 2, on a piece that ends at eta_direction = 1, where the exact
-/// polynomial vanishes: of h (n / (n - k)) B^(n-1)_k = B^n_k, scaled to the piece.
+/// Divides by h = (1 - eta_direction) / 2, on a piece that ends at eta_direction = 1, where the
+/// exact polynomial vanishes. From h (n / (n - k)) B^(n-1)_k = B^n_k, scaled to the piece.
 BoxPolynomial DivideByH(const BoxPolynomial& polynomial, int direction, int level)
 {
   const int n = polynomial.degree[static_cast<std::size_t>(direction)];
@@ -107,7 +107,7 @@ BoxPolynomial Linear(int direction, double sign, int level, int piece)
   return result;
 }
 
-/// Whether the division is one of coefficients.
+/// Whether the division acts on coefficients.
 bool IsExact(Shape shape, int direction, int level, const PieceForm::Piece& piece)
 {
   return shape != Shape::Pyramid && piece[static_cast<std::size_t>(direction)] == (1 << level) - 1;
@@ -131,7 +131,7 @@ void AddSeconds(Shape shape, const std::array<BoxPolynomial, 3>& slopes, int lev
   }
 }
 
-/// Whether all divisions by h are of coefficients.
+/// Whether all divisions by h act on coefficients.
 bool IsExact(Shape shape, int level, const PieceForm::Piece& piece)
 {
   const auto isFine = [&](int direction)
@@ -142,7 +142,7 @@ bool IsExact(Shape shape, int level, const PieceForm::Piece& piece)
   return shape != Shape::Pyramid && isFine(1) && isFine(2);
 }
 
-/// The derivatives by xi of a polynomial in xi, where IsExact.
+/// The derivatives by xi of a polynomial in xi. Requires IsExact.
 std::array<BoxPolynomial, 3> ByXi(
   Shape shape, const BoxPolynomial& f, int level, const PieceForm::Piece& piece)
 {
@@ -173,7 +173,7 @@ std::array<BoxPolynomial, 3> ByXi(
   return result;
 }
 
-/// What is left to divide by: h, or 1.
+/// The remaining divisor: h, or 1.
 BoxPolynomial Divisor(Shape shape, int direction, int level, const PieceForm::Piece& piece)
 {
   return HessianFunction::IsDivided(shape, 0, direction) && !IsExact(shape, direction, level, piece)

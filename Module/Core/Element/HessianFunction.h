@@ -30,20 +30,21 @@ public:
   static constexpr std::array<std::array<std::size_t, 3>, 3> kPlaces{ { { 0, 1, 2 }, { 1, 3, 4 },
     { 2, 4, 5 } } };
 
-  /// The polynomials over a piece, of three components of a map and of one of a field: the
-  /// derivatives by xi, three a function; six derivatives of those by eta a function (divided by h
-  /// where that is one of coefficients); e1, e2, and the remaining divisors of h2, h3.
+  /// The polynomials over a piece, for three components of a map and one of a field: the
+  /// derivatives by xi, three per function; six derivatives of those by eta per function (divided
+  /// by h where the division acts on coefficients); e1, e2, and the remaining divisors of h2, h3.
   [[nodiscard]] static std::vector<BoxPolynomial> Polynomials(const ScaledModes& map,
     const ScaledModes& field, int component, int level, const PieceForm::Piece& piece);
 
-  /// Of a function, the ranges over the part of its derivatives by xi, the first ones and 11, 12,
-  /// 13, 22, 23, 33: hulls, and what interval arithmetic makes of them.
+  /// The ranges over the piece of a function's first derivatives by xi and of its second ones, 11,
+  /// 12, 13, 22, 23, 33: hulls, combined by interval arithmetic.
   struct XiRanges
   {
     std::array<Interval, 3> first;
     std::array<Interval, 6> second;
   };
-  /// Of the map's components and of the field's, by the hulls of the polynomials.
+  /// The ranges of the map's three components and of the field's component, from the hulls of the
+  /// polynomials.
   [[nodiscard]] static std::array<XiRanges, 4> RangesByXi(
     Shape shape, std::span<const Interval> hulls);
 
@@ -56,11 +57,11 @@ public:
 
   /// The third derivatives by xi, 111, 112, 113, 122, 123, 133, 222, 223, 233, 333, of a component
   /// over a piece, as polynomials. Their errors are infinite on pyramids and on pieces that do not
-  /// end where h = 0, on which division by h is none of coefficients.
+  /// end where h = 0, where division by h does not act on coefficients.
   [[nodiscard]] static std::vector<BoxPolynomial> Thirds(
     const ScaledModes& modes, int component, int level, const PieceForm::Piece& piece);
 
-  /// Whether a derivative by eta_derivative is divided by h of a direction.
+  /// Whether a derivative by eta_derivative is divided by the h of a direction.
   [[nodiscard]] static bool IsDivided(Shape shape, int derivative, int direction);
 };
 

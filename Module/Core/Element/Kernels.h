@@ -5,12 +5,13 @@
 
 #include <array>
 
-// The batch kernels: many points of one element, as many at a time as the instruction set has
-// lanes. Chosen once per (batch, element) by space; each is compiled for every instruction set and
-// dispatched at run time.
+// The batch kernels evaluate many points of one element, as many at a time as the instruction set
+// has lanes. They are chosen once per (batch, element) by space; each is compiled for every
+// instruction set and dispatched at run time.
 namespace pixelexact
 {
-/// Arrays handed to the kernels are padded to a multiple of this, with points that may be computed.
+/// Arrays for the kernels are padded to a multiple of this number, with points that the kernels may
+/// evaluate.
 inline constexpr int kLanePadding = 8;
 
 constexpr int PaddedCount(int count)
@@ -25,7 +26,7 @@ struct LanePoints
   int count;
 };
 
-/// Total degree of the polynomial where Newton's iteration begins, and its number of terms.
+/// Total degree of the polynomial that gives Newton's starting points, and its number of terms.
 inline constexpr int kGuessDegree = 4;
 inline constexpr int kGuessTerms = (kGuessDegree + 1) * (kGuessDegree + 2) * (kGuessDegree + 3) / 6;
 
@@ -41,35 +42,36 @@ struct InverseProblem
   double inverse[9];     ///< frame: row-major inverse Jacobian; 0: Newton begins at `start`
   double uncertainty[3]; ///< of Phi and y, per coordinate, in the element's units
   bool affine;           ///< Phi is its frame, up to the uncertainty
-  /// Where Newton begins, if not null: a polynomial in s = (xi_0 - guessCentre) guessScale, xi_0
-  /// the frame's preimage; kGuessTerms coefficients for each xi, of s_0^i s_1^j s_2^k with i, j, k
-  /// falling, k fastest.
+  /// The polynomial that gives Newton's starting points, if not null: in s = (xi_0 - guessCentre)
+  /// guessScale, xi_0 the frame's preimage; kGuessTerms coefficients for each xi, of s_0^i s_1^j
+  /// s_2^k with i, j, k falling, k fastest.
   const double* guess;
   double guessCentre[3];
   double guessScale[3];
-  /// How much the map bends: after a Newton step errors are squared, times about this, in xi and
-  /// max norm; of a pyramid, in the distance to its apex. It decides how many steps are made.
+  /// Estimates the map's curvature: a Newton step squares the error and multiplies it by about this
+  /// number, in xi and max norm; for a pyramid, in units of the distance to its apex. It determines
+  /// the number of steps.
   double curvature;
-  /// Bounds, for all coordinates c of Phi and two xi of the shape or next to it, the change of
-  /// sum over j of |d Phi_c / d xi_j| from one to the other, over their distance in the max norm.
-  /// Of a pyramid, times the distance to its apex, of one in tensor form twice. Infinite where
-  /// nothing is known.
+  /// Bounds, for all coordinates c of Phi and two xi of the shape or next to it, the change of sum
+  /// over j of |d Phi_c / d xi_j| from one to the other, over their distance in the max norm. For a
+  /// pyramid this number is multiplied by the distance to its apex, in tensor form by the square of
+  /// that distance. Infinite where no bound is known.
   double bend;
-  /// Where Newton begins at each point, coordinate by coordinate, if not null; instead of all
+  /// Newton's starting points, coordinate by coordinate, if not null; they replace all of the
   /// above.
   std::array<const double*, 3> from{};
 };
 
-/// The Jacobian of the last correction is that of a point no farther from the root than this, in
-/// xi: after a step smaller than it the Jacobian is kept, for its corrections cost half of a full
-/// step and gain as many digits as the step that it was made for had.
+/// The largest distance from the root, in xi, at which a Jacobian is reused. After a step smaller
+/// than this the Jacobian is kept: a correction with it costs half of a full step and gains as many
+/// digits as the step for which it was computed.
 inline constexpr double kKeepJacobian = 3e-3;
 
 /// A xi is accepted where Phi(xi) is the point up to this many times the uncertainty, per
-/// coordinate; proven from the last correction, or evaluated.
+/// coordinate. The last correction proves it, or Phi is evaluated.
 inline constexpr double kMaxMiss = 4.0;
 
-/// What Newton's iteration found for a point.
+/// The result of Newton's iteration for a point.
 enum class NewtonStatus : std::uint8_t
 {
   RootOutside = 0, ///< converged to a xi beyond the faces' tolerance
@@ -77,9 +79,9 @@ enum class NewtonStatus : std::uint8_t
   NotConverged = 2
 };
 
-/// Nearer to a pyramid's apex than this, in xi3, its map is not continued beyond the faces as the
-/// function that it is (CollapsedQuotient), and its Jacobian turns with the direction: the
-/// iteration is not trusted there, and NotConverged.
+/// Points this close, in xi3, to a pyramid's apex are NotConverged: beyond the faces the map there
+/// does not continue the function inside (CollapsedQuotient), and its Jacobian varies with the
+/// direction.
 inline constexpr double kApexRegion = 1e-7;
 
 /// Arrays of PaddedCount(count).
@@ -94,16 +96,16 @@ struct InverseResult
 
 struct KernelSet
 {
-  /// out[c][i] = sum of component c at point i. `coefficients` is component-major.
+  /// out[c][i] is the sum of component c at point i. `coefficients` is component-major.
   void (*value)(const Space&, const double* coefficients, int components, const LanePoints& xi,
     double* const* out);
-  /// The same in single precision, but for the way in and out: twice the lanes. Coefficients are
-  /// scaled by a power of two per component, so that their size does not matter, and rounded as xi
-  /// are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. Where a
-  /// sum is not finite it is made in double precision after all.
+  /// The same in single precision with input and output in doubles: twice the lanes. Coefficients
+  /// are scaled by a power of two per component, so that their size does not matter, and rounded,
+  /// as xi are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. A
+  /// sum that is not finite is recomputed in double precision.
   void (*valueInFloats)(const Space&, const double* coefficients, int components,
     const LanePoints& xi, double* const* out) = nullptr;
-  /// Also gradient[3 c + d][i] = derivative of component c by xi_d.
+  /// The same, and gradient[3 c + d][i] is the derivative of component c by xi_d.
   void (*gradient)(const Space&, const double* coefficients, int components, const LanePoints& xi,
     double* const* out, double* const* gradient);
   /// Newton's iteration for Phi(xi) = x from the frame's preimage of x. The result of a point

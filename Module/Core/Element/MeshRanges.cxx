@@ -15,10 +15,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes an element may have in the first round of refinement; each further round has eight times
-/// as many.
+/// Boxes per element in the first round of refinement; each further round has eight times as many.
 constexpr int kFirstBudget = 16;
-/// Boxes after which an expression without a bound is given up: it has a pole, or is not defined.
+/// Boxes after which an unbounded expression is abandoned: it has a pole, or is not defined.
 constexpr int kMaxUnbounded = 1000;
 
 /// A range in units of 2^exponent.
@@ -29,7 +28,7 @@ struct ElementFinding
   bool givenUp = false;
 };
 
-/// What is attained elsewhere, in other units, rounded towards the inside.
+/// Converts an attained range to other units, rounded inwards.
 Interval Inside(const Interval& attained, int exponent)
 {
   return { Scaled(Interval(attained.lower), exponent).upper,
@@ -59,8 +58,8 @@ public:
     Gather(elements);
   }
 
-  /// Gives up elements that are unbounded, and will be: they are not valid, or an expression is
-  /// not defined in them.
+  /// Abandons elements that stay unbounded: they are not valid, or an expression is not defined in
+  /// them.
   void GiveUpUnboundedElements()
   {
     const bool isExpression = Question.field != nullptr && Question.field->function != nullptr;
@@ -76,7 +75,7 @@ public:
       });
   }
 
-  /// Elements that may hold values beyond what is allowed.
+  /// Elements that may hold values outside the allowed range.
   [[nodiscard]] std::vector<int> Candidates() const
   {
     const double gap = AllowedGap(Range, Effort.tolerance);
@@ -115,13 +114,13 @@ private:
   RangeEffort Effort;
   std::vector<ElementFinding> Findings;
   MeshRange Found;
-  /// Of the mesh, in units of 2^Exponent: what is small compared with the largest element's
-  /// coefficients is small.
+  /// The range over the mesh, in units of 2^Exponent, relative to the largest element's
+  /// coefficients.
   CertifiedRange Range;
   int Exponent = 0;
 };
 
-/// One element in a round: until no value may lie beyond what is attained by more than `gap`.
+/// Refines one element in a round until its bounds exceed the attained range by at most `gap`.
 ElementFinding Rounds::Look(int element, double gap, int budget) const
 {
   const ElementRange range(mesh_, element, Question);

@@ -15,20 +15,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A lane is done when its next error is expected to be below the first, which the polishing step
-/// measures and takes away, and what polishing leaves below the second.
+/// A lane is done when its expected error is below the first, which the polishing step measures and
+/// removes, and the error after polishing is expected to be below the second.
 inline constexpr double kSmallError = 2e-11;
-/// Both are overestimates: what is left is mostly rounding.
+/// Both are overestimates: the remaining error is mostly rounding.
 inline constexpr double kNoError = 1e-15;
-/// A kept Jacobian is made anew when a step is not this much smaller than the one before: a new one
-/// costs as much as two steps with the old one.
+/// A kept Jacobian is recomputed when a step is not smaller than the one before by this factor: a
+/// new Jacobian costs as much as two steps with the old one.
 inline constexpr double kContraction = 0.02;
 inline constexpr int kMaxNewtonSteps = 24;
-/// A root farther out than this cannot be the element's; the careful path decides.
+/// A root farther outside the shape cannot belong to the element; the careful path decides.
 inline constexpr double kFarOut = 8.0;
 
-/// What a step's length is measured by. A pyramid's map bends on the scale of the distance to its
-/// apex, all others on that of the shape.
+/// The unit of a step's length. A pyramid's map bends on the scale of the distance to its apex, all
+/// others on that of the shape.
 template <class T>
 HWY_INLINE T StepScale(Shape shape, const Point<T>& xi)
 {
@@ -36,8 +36,8 @@ HWY_INLINE T StepScale(Shape shape, const Point<T>& xi)
   return shape == Shape::Pyramid ? Min(one, NumberTraits<T>::Splat(0.5) * Abs(one - xi.x[2])) : one;
 }
 
-/// Next to its apex a pyramid's functions are constant past the faces (CollapsedQuotient), and an
-/// iteration that gets there does not come back. It goes on from the point that has the value.
+/// Next to its apex a pyramid's functions are constant past the faces (CollapsedQuotient), where an
+/// iteration would not return. Moves xi to the point of the pyramid that has the same value.
 template <class T>
 HWY_INLINE void BackOntoCone(Point<T>& xi)
 {
@@ -79,7 +79,7 @@ HWY_INLINE Point<T> Residual(
   return residual;
 }
 
-/// The same, and the Jacobian. The residual's bits are those of Residual.
+/// Computes the residual and the Jacobian. The residual's bits are those of Residual.
 template <template <class, class, bool> class Modes, class Order, class T>
 HWY_INLINE Point<T> ResidualAndJacobian(const InverseProblem& problem, int modeCount,
   const Point<T>& y, const Point<T>& xi, Matrix<T>& jacobian)
@@ -97,7 +97,7 @@ HWY_INLINE Point<T> ResidualAndJacobian(const InverseProblem& problem, int modeC
   return residual;
 }
 
-/// The same, and the inverse of the Jacobian.
+/// Computes the residual and the inverse of the Jacobian.
 template <template <class, class, bool> class Modes, class Order, class T>
 HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCount,
   const Point<T>& y, const Point<T>& xi, Matrix<T>& inverse)
@@ -108,8 +108,8 @@ HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCo
   return residual;
 }
 
-/// xi - delta. Steps longer than the shape are shortened: far from the root they say no more than a
-/// direction. Returns the step's whole length.
+/// Subtracts delta from xi. Steps longer than the shape are shortened: far from the root only their
+/// direction is useful. Returns the full step's length.
 template <Shape kShape, class T>
 HWY_INLINE T Move(Point<T> delta, Point<T>& xi)
 {
@@ -128,22 +128,21 @@ HWY_INLINE T Move(Point<T> delta, Point<T>& xi)
   return length;
 }
 
-/// One step from xi.
+/// Takes one step from xi.
 template <Shape kShape, class T>
 HWY_INLINE T Step(const Matrix<T>& inverse, const Point<T>& residual, Point<T>& xi)
 {
   return Move<kShape>(Apply(inverse, residual), xi);
 }
 
-/// A NaN is not, so that it ends as failed.
+/// Returns false for NaN, so that it ends as failed.
 template <class T>
 HWY_INLINE auto IsSound(const T& length, const Point<T>& xi)
 {
   return And(length >= NumberTraits<T>::Splat(0.0), MaxAbs(xi) <= NumberTraits<T>::Splat(kFarOut));
 }
 
-/// Whether steps that fall to `rated` of `before` with a step of `length` leave nothing more to do
-/// than polishing.
+/// Whether only polishing remains after a step of `length`, if steps fall to `rated` of `before`.
 template <class T>
 HWY_INLINE auto IsDone(const T& length, const T& rated, const T& before, const T& unit)
 {
@@ -153,8 +152,8 @@ HWY_INLINE auto IsDone(const T& length, const T& rated, const T& before, const T
     next * rated <= Traits::Splat(kNoError) * unit * before * before);
 }
 
-/// Goes on after a first step of length `first`. What a lane does depends on its own steps alone,
-/// and when it is done it keeps its state, so that its result does not depend on the others.
+/// Continues after a first step of length `first`. A lane depends on its own steps alone and keeps
+/// its state when it is done, so that its result does not depend on the others.
 template <template <class, class, bool> class Modes, class Order, class T>
 HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point<T>& y,
   const T& first, NewtonState<T>& state)
@@ -164,7 +163,7 @@ HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point
   const T zero = Traits::Splat(0.0);
   const T one = Traits::Splat(1.0);
   const T curvature = Traits::Splat(problem.curvature);
-  // A Jacobian that gains too little a step is not worth its cheaper steps.
+  // A Jacobian that gains too little per step costs more than its cheaper steps save.
   const T keep = Traits::Splat(std::min(kKeepJacobian, kContraction / problem.curvature));
   const T unit = StepScale(shape, state.xi);
   T last = first;
@@ -199,8 +198,8 @@ HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point
     madeFor = Select(renew, length, madeFor);
     const auto kept =
       And(madeFor <= keep * scale, Or(renew, length <= Traits::Splat(kContraction) * last));
-    // The factor by which errors fall: of a new Jacobian the curvature times the step; of a kept
-    // one what this step is of the last, if that is more than its own step promises.
+    // The factor by which errors fall. A new Jacobian: the curvature times the step. A kept one:
+    // the ratio of this step to the last, if that is larger.
     const T before = Select(renew, scale, last);
     const T promised = curvature * Select(renew, length, before * madeFor);
     const T rated = Select(renew, promised, Max(length, promised));
@@ -212,14 +211,14 @@ HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point
   state.madeFor = madeFor;
   if (!None(active))
   {
-    // Where the Jacobian nearly vanishes steps do not get smaller than rounding.
+    // Where the Jacobian nearly vanishes, steps stay as large as rounding.
     const auto rounding = last <= MaxAbs(ToleranceOf(state.inverse, problem.uncertainty));
     state.failed = Select(AndNot(active, rounding), one, state.failed);
     state.unsettled = Select(And(active, rounding), last, zero);
   }
 }
 
-/// Steps from state.xi until every lane is done or has failed. Mostly one is enough.
+/// Iterates from state.xi until every lane is done or has failed. One step is usually enough.
 template <template <class, class, bool> class Modes, class Order, class T>
 HWY_INLINE void Iterate(
   const InverseProblem& problem, int modeCount, const Point<T>& y, NewtonState<T>& state)
@@ -235,7 +234,7 @@ HWY_INLINE void Iterate(
   const auto done = IsDone(length, Traits::Splat(problem.curvature) * length, unit, unit);
   if (!All(And(done, IsSound(length, state.xi))))
   {
-    // A copy, so that the state of those that are done need not be in memory.
+    // The copy lets the state of finished lanes stay in registers.
     NewtonState<T> slow = state;
     GoOn<Modes, Order>(problem, modeCount, y, length, slow);
     state = slow;

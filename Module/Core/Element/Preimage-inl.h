@@ -16,13 +16,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A polishing correction above this (and above the rounding tolerance) is no convergence.
+/// A polishing correction above this (and above the rounding tolerance) means no convergence.
 inline constexpr double kLargestCorrection = 1e-10;
-/// A xi that lies farther beyond a face than this is not taken for one of the shape, however large
-/// the tolerance: the map is not known to be what is evaluated there, nor is the field.
+/// A xi farther outside a face is never accepted, however large the tolerance: neither map nor
+/// field is known there.
 inline constexpr double kFarBeyond = 1e-2;
 
-/// x with A x = b, by elimination with pivoting.
+/// Solves A x = b by elimination with pivoting.
 template <class T>
 HWY_NOINLINE Point<T> Solve(Matrix<T> a, Point<T> b)
 {
@@ -62,10 +62,10 @@ HWY_NOINLINE Point<T> Solve(Matrix<T> a, Point<T> b)
   return b;
 }
 
-/// A step that follows the residual in the directions alone in which the map moves: J^T z with
-/// (J J^T + l^2) z = residual (K. Levenberg, 1944). Where the Jacobian nearly vanishes, Newton's
-/// own step is the rounding of the residual, magnified; of a thin and bent element it leads off the
-/// point along the others.
+/// A step that follows the residual only in the directions in which the map moves: J^T z with (J
+/// J^T + l^2) z = residual (K. Levenberg, 1944). Where the Jacobian nearly vanishes, Newton's own
+/// step magnifies the rounding of the residual; in a thin and bent element it leaves the point
+/// along the other directions.
 template <class T>
 HWY_NOINLINE Point<T> DampedStep(const Matrix<T>& jacobian, const Point<T>& residual)
 {
@@ -94,7 +94,7 @@ HWY_NOINLINE Point<T> DampedStep(const Matrix<T>& jacobian, const Point<T>& resi
   return step;
 }
 
-/// The verdicts on a pack of which not every lane is simply inside.
+/// Classifies a pack in which some lane is not clearly inside.
 template <template <class, class, bool> class Modes, class Order, class T>
 HWY_NOINLINE void Classify(const InverseProblem& problem, int modeCount, const Point<T>& y,
   const NewtonState<T>& polished, const Point<T>& before, const Point<T>& missBefore,
@@ -107,8 +107,8 @@ HWY_NOINLINE void Classify(const InverseProblem& problem, int modeCount, const P
   auto holds = length >= zero;
   if (!problem.affine)
   {
-    // A xi is not taken for a preimage on the word of a Jacobian alone. Where the Jacobian nearly
-    // vanishes, the last correction may lead away from one.
+    // The Jacobian alone does not prove a preimage. Where it nearly vanishes, the last correction
+    // may lead away from one.
     const auto isSmall = [&](const Point<T>& miss) PIXELEXACT_INLINED
     {
       auto small = length >= zero;
@@ -127,7 +127,8 @@ HWY_NOINLINE void Classify(const InverseProblem& problem, int modeCount, const P
         [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Select(lanes, xi.x[d], state.xi.x[d]); });
     };
     take(back, before);
-    // Nor need the next one be a preimage; some step often is. What gave up stays unknown.
+    // The next xi may not be a preimage; one after a few steps often is. Lanes that failed stay
+    // unknown.
     Point<T> next = state.xi;
     const auto lost = zero < state.failed;
     constexpr int kMoreSteps = 8;
@@ -159,7 +160,7 @@ HWY_NOINLINE void Classify(const InverseProblem& problem, int modeCount, const P
   converged = AndNot(converged, AndNot(near, within));
   if (HWY_UNLIKELY(!All(state.unsettled <= zero)))
   {
-    // Outside is said where it does not matter that the iteration has not settled.
+    // A point is outside only where the unsettled steps cannot change that.
     ForEachAxis([&](auto d) PIXELEXACT_INLINED
       { reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]); });
     const auto perhaps = WidenedMargin(kShape, state.xi, reach) >= zero;
@@ -178,7 +179,7 @@ HWY_NOINLINE void Classify(const InverseProblem& problem, int modeCount, const P
     out.status + at);
 }
 
-/// What is known of Count() points from `at` on.
+/// Inverts the map for Count() points from `at` on.
 template <template <class, class, bool> class Modes, class Order, class T>
 HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const LanePoints& x,
   const InverseResult& out, int at)
@@ -218,7 +219,7 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
       [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Max(Min(start.x[d], one), zero - one); });
     Iterate<Modes, Order>(problem, modeCount, y, state);
   }
-  // Polish with the last Jacobian. The correction is the measured residual of the iteration.
+  // Polishes with the last Jacobian. The correction is the measured residual of the iteration.
   const Point<T> residual = Residual<Modes, Order>(problem, modeCount, y, state.xi);
   const Point<T> correction = Apply(state.inverse, residual);
   const Point<T> before = state.xi;
@@ -232,13 +233,14 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   }
   const double leastUncertainty =
     std::min({ problem.uncertainty[0], problem.uncertainty[1], problem.uncertainty[2] });
-  // Within the shape without any tolerance, as most are; NaN are not.
+  // Whether the lane is within the shape without any tolerance, as most are. NaN is not.
   const Point<T> none{ { zero, zero, zero } };
   const T unit = StepScale(shape, state.xi);
   auto clear = And(length <= Traits::Splat(kLargestCorrection) * unit,
     WidenedMargin(shape, state.xi, none) >= zero);
   clear = And(clear, Max(state.failed, state.unsettled) <= zero);
-  // What the correction leaves: the Jacobian's change since it was made, times the correction.
+  // Bounds the error after the correction: the Jacobian's change since it was computed, times the
+  // correction.
   const T left =
     Traits::Splat(problem.bend) * (Traits::Splat(2.0) * state.madeFor + length) * length;
   const T reach = problem.space.form == Form::Tensor ? unit * unit : unit;
@@ -256,7 +258,7 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   }
   else
   {
-    // Copies, so that what most packs need stays in registers.
+    // Copies let the data that most packs need stay in registers.
     const NewtonState<T> classified = state;
     const Point<T> unpolished = before;
     const Point<T> miss = residual;

@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Derivatives of the map.
+/// The number of the map's derivatives.
 constexpr std::size_t kOfMap = 9;
 
 template <class T>
@@ -39,8 +39,8 @@ std::vector<AffineForm> AffineForms(std::span<const BoxPolynomial> polynomials)
   return forms;
 }
 
-/// The norm of v over the box. Beside the sum of squares, which is sharp where v is large: |v| is
-/// not below n . v for any |n| <= 1, which is sharp down to where v vanishes.
+/// The norm of v over the box: the intersection of two bounds. The sum of squares is sharp where v
+/// is large; |v| >= n . v for any |n| <= 1 is sharp where v nearly vanishes.
 Interval NormRange(const std::vector<AffineForm>& v)
 {
   Interval norm = Sqrt(SquaredNorm(v).Range());
@@ -61,8 +61,8 @@ Interval NormRange(const std::vector<AffineForm>& v)
   return norm;
 }
 
-/// Where the affine parts are smallest, by least squares: a zero of v, up to O(w^2), where it has
-/// one in the box.
+/// Where the affine parts are smallest, by least squares: a zero of v, up to O(w^2), if the box
+/// holds one.
 std::array<double, 3> LeastNorm(const std::vector<AffineForm>& v)
 {
   Mat3 normal(0.0);
@@ -115,9 +115,11 @@ bool QuantityFunction::IsOfZeroField(std::span<const BoxPolynomial> polynomials)
 
 void QuantityFunction::ToWorld(std::vector<BoxPolynomial>& polynomials) const
 {
-  /// Of an entry's magnitude: rounding of the conversion is less.
+  /// The map is constant if its derivatives vary by less than this, relative to their largest
+  /// magnitude. Rounding of the conversion is less.
   constexpr double kConstant = 0x1p-40;
-  // What comes out has to be told from what goes in by its number.
+  // Converted polynomials are recognised by their number, below kOfMap. Fields with too many
+  // components are not converted.
   if (!NeedsMap() || quantity_ == Quantity::Jacobian || polynomials.size() >= 2 * kOfMap)
   {
     return;
@@ -136,7 +138,7 @@ void QuantityFunction::ToWorld(std::vector<BoxPolynomial>& polynomials) const
     return;
   }
   const std::span field = std::span(polynomials).subspan(kOfMap);
-  // The quantity is linear in the field: its factors are what it makes of the unit vectors.
+  // The quantity is linear in the field: its factors are the quantities of the unit vectors.
   p.resize(polynomials.size());
   std::vector<std::vector<Interval>> factors;
   for (std::size_t j = 0; j < field.size(); ++j)
@@ -234,7 +236,7 @@ std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
     }
     return all;
   }
-  // Of a density only the component sought is there.
+  // A density's polynomials hold the requested component alone.
   return { component(!gradient && mapping_ == Mapping::Density ? 0 : Index) };
 }
 

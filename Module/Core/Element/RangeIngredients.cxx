@@ -9,9 +9,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Of what is zero throughout.
+/// The exponent of modes that are all zero.
 constexpr int kZeroExponent = -1100;
-/// Rounding errors of conversion, relative to the largest mode, that do no harm.
+/// The largest rounding error of conversion, relative to the largest mode, that needs no finer
+/// pieces.
 constexpr double kHarmless = 1e-11;
 } // namespace
 
@@ -63,7 +64,7 @@ PieceForm::Piece PieceAt(const Box3& box, int level)
   for (int d = 0; d < 3; ++d)
   {
     const double middle = 0.5 * (box.lower[d] + box.upper[d]);
-    // The cube's upper end belongs to the last one.
+    // The cube's upper end belongs to the last piece.
     piece[static_cast<std::size_t>(d)] =
       std::min(static_cast<int>(std::floor(std::ldexp(middle + 1.0, level - 1))), (1 << level) - 1);
   }

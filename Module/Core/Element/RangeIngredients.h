@@ -22,7 +22,7 @@ struct ScaledModes
   bool finite = true; ///< all of them
 };
 
-/// A polynomial in eta that a quantity of an element is made of.
+/// A polynomial in eta from which a quantity of an element is computed.
 struct RangeIngredient
 {
   const ScaledModes* modes;
@@ -33,12 +33,13 @@ struct RangeIngredient
   {
     return modes->values.data() + modes->width * static_cast<std::size_t>(component);
   }
-  /// Over the part `within`, in its own [-1,1]^3, of a piece of the cube. Derivatives that are not
-  /// bounded at a pyramid's apex (PieceForm::IsClosed) have an infinite error.
+  /// The polynomial over the part `within`, in the piece's own [-1,1]^3, of a piece of the cube.
+  /// Derivatives that are not bounded at a pyramid's apex (PieceForm::IsClosed) have an infinite
+  /// error.
   [[nodiscard]] BoxPolynomial Over(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
-  /// Bounds the rounding of the kernels' values on a piece by 4 times what its conversion makes at
-  /// most: they make the same sums, but for the order of the factors.
+  /// Bounds the rounding of the kernels' values on a piece by 4 times the bound of its conversion:
+  /// both compute the same sums with another order of the factors.
   [[nodiscard]] double RoundingInKernels(int level, const PieceForm::Piece& piece) const;
 };
 
@@ -47,7 +48,7 @@ PieceForm::Piece PieceAt(const Box3& box, int level);
 /// The part of a box of eta in a piece, in the piece's own [-1,1]^3; lower > upper somewhere where
 /// they do not meet.
 Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece);
-/// Of a polynomial over [-1,1]^3, what lies in this part of it.
+/// Restricts a polynomial over [-1,1]^3 to this part of it.
 void RestrictTo(const Box3& within, BoxPolynomial& polynomial);
 
 /// Appends the three derivatives by xi of `count` components.
@@ -55,6 +56,6 @@ void AddDerivatives(
   const ScaledModes& modes, int first, int count, std::vector<RangeIngredient>& ingredients);
 
 /// The level of pieces on which all of them are converted: 0 where the bound of the rounding errors
-/// allows it, as it does for coefficients that decay, at any order.
+/// allows it, as for decaying coefficients of any order.
 int LevelFor(const std::vector<RangeIngredient>& ingredients);
 } // namespace pixelexact

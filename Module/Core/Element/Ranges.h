@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What of an element a range is asked for.
+/// A quantity of an element whose range is computed.
 enum class Quantity : std::uint8_t
 {
   /// A component of the field's world value (see Mapping).
@@ -33,16 +33,16 @@ struct RangeQuestion
   int direction = 0;            ///< of GradientComponent: x, y, z
 };
 
-/// Whether there is an answer. There is none for gradients of mapped fields (H(curl), H(div),
-/// densities), which need second derivatives of the map, for gradients of expressions, and for
-/// expressions with normals or jumps.
+/// Whether RangeOf supports the question. It does not for gradients of mapped fields (H(curl),
+/// H(div), densities), which need second derivatives of the map, for gradients of expressions, and
+/// for expressions with normals or jumps.
 bool IsAnswerable(const RangeQuestion& question);
-/// Throws Unsupported with the reason where there is no answer.
+/// Throws Unsupported with the reason where IsAnswerable is false.
 void RequireAnswer(const RangeQuestion& question);
 
 struct RangeEffort
 {
-  /// The outer ends are to lie within this part of the attained range of values that are attained;
+  /// The largest distance of the outer ends from attained values, relative to the attained range;
   /// 0.0 < tolerance.
   double tolerance = 1e-3;
   int boxes = 2000; ///< looked at, per element
@@ -51,21 +51,21 @@ struct RangeEffort
 /// The cube in eta: the whole element.
 inline constexpr Box3 kWholeElement{ Vec3(-1.0), Vec3(1.0) };
 
-/// A quantity of one element over a box of eta, ready to be searched; made by RangeOf and by who
-/// searches several elements together.
+/// A quantity of one element over a box of eta, ready for a search by RangeOf or by a search of
+/// several elements together.
 class ElementRange
 {
 public:
-  /// Throws Unsupported where the question has no answer. `part` must lie in the cube and not be
-  /// empty. The views must outlive the object.
+  /// Throws Unsupported as RequireAnswer. `part` must lie in the cube and not be empty. The views
+  /// must outlive the object.
   ElementRange(
     const Mesh& mesh, int element, const RangeQuestion& question, const Box3& part = kWholeElement);
-  /// False where a coefficient of the field is NaN or infinite: nothing can be said then.
+  /// False where a coefficient of the field is NaN or infinite; then no range is known.
   [[nodiscard]] bool IsFinite() const { return quantity_->IsFinite(); }
   /// The function, and the boxes that cover the part, in units of 2^Exponent().
   [[nodiscard]] const RangeFunction& Function() const { return *quantity_; }
   void ForEachBox(const std::function<void(RangeBox)>& visit) const;
-  /// The search with these boxes. `known` as RangeSearch takes it, in these units.
+  /// Starts the search with these boxes. `known` as RangeSearch takes it, in these units.
   [[nodiscard]] std::unique_ptr<RangeSearch> Begin(
     const Interval& known = CertifiedRange{}.attained) const;
   [[nodiscard]] int Exponent() const { return quantity_->Exponent(); }
@@ -76,15 +76,16 @@ private:
 };
 
 /// The range of a quantity over an element, or over a part of it given as a box in eta (see
-/// TensorToReference): of the functions that the stored coefficients define, exactly; the mesh's
-/// uncertainty (how far the true map may be from the stored one) is not included.
+/// TensorToReference). It belongs to the functions that the stored coefficients define, exactly;
+/// the mesh's uncertainty (how far the true map may be from the stored one) is not included.
 ///
-/// Enclosures tighten quadratically: halving a box quarters the distance of the outer ends from the
-/// attained ones, until the bound of rounding errors remains, some 1e-13 of the range of a resolved
-/// field. `met` is false where the budget, or 64 MiB, were spent first. Where det J may vanish,
-/// gradients and mapped values are not bounded, and the outer ends infinite. In a pyramid's Tensor
-/// form derivatives are those of the function closed at the apex (PieceForm.h); where that is not
-/// the stored one up to rounding, they are not bounded.
+/// Enclosures tighten quadratically: with half the width of a box, the distance of the outer ends
+/// from the attained ones is a quarter, until the bound of rounding errors remains, some 1e-13 of
+/// the range of a resolved field. `met` is false where the budget of boxes or 64 MiB of memory is
+/// exhausted first. Where det J may vanish, gradients and mapped values are not bounded, and the
+/// outer ends are infinite. In a pyramid's Tensor form derivatives are those of the function closed
+/// at the apex (PieceForm.h); where that is not the stored one up to rounding, they are not
+/// bounded.
 CertifiedRange RangeOf(const Mesh& mesh, int element, const RangeQuestion& question,
   const RangeEffort& effort = {}, const Box3& part = kWholeElement);
 

@@ -16,11 +16,12 @@ Vec3 At(const LanePoints& points, int i)
   return { points.x[0][i], points.x[1][i], points.x[2][i] };
 }
 
-/// How far beyond the faces counts as within them, as at points: an end may be off by the
-/// tolerance, and what is between by as much again.
+/// A preimage within this many tolerances of the faces counts as inside: an end may be off by one
+/// tolerance, and the points between by another one.
 constexpr double kTolerances = 2.0;
 
-/// Of all xi within `stray` of this one: that of a corner of their box, for faces are planes.
+/// The smallest margin of all xi within `stray` of this one. As faces are planes, a corner of the
+/// box attains it.
 double LeastMargin(Shape shape, const Vec3& xi, const Vec3& stray)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -28,13 +29,13 @@ double LeastMargin(Shape shape, const Vec3& xi, const Vec3& stray)
   {
     const Vec3 sign{ corner & 1U ? 1.0 : -1.0, corner & 2U ? 1.0 : -1.0, corner & 4U ? 1.0 : -1.0 };
     const double margin = Margin(shape, xi + sign * stray);
-    // A NaN stays.
+    // The comparison keeps a NaN.
     least = margin >= least ? least : margin;
   }
   return least;
 }
 
-/// The task of one component, where the mapping does not mix them.
+/// The task of one component, for a mapping that does not mix components.
 EnclosureTask TaskOf(const EnclosureProblem& problem, int component)
 {
   EnclosureTask task = problem.Task();
@@ -94,7 +95,7 @@ void SegmentIntervals(const Mesh& mesh, const Field& field, int component, int e
     const Vec3 stray{ found.stray[0][i], found.stray[1][i], found.stray[2][i] };
     const double margin = std::min(LeastMargin(shape, At(segments.xiFrom, i), stray),
       LeastMargin(shape, At(segments.xiTo, i), stray));
-    // Written so that a NaN proves nothing.
+    // The comparison is written so that a NaN proves nothing.
     if (margin >= -kTolerances * found.tolerance[i])
     {
       for (std::size_t c = 0; c < components; ++c)

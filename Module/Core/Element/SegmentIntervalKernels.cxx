@@ -13,21 +13,22 @@
 // preimages in a box X are
 //   xi(s) in xi0 - C r + (2 s - 1) C h + (I - C J(X)) (X - xi0),
 // and K, the hull over all s, proves them as it proves those of a point. All but the last term is a
-// straight line, whose ends are those of the segment up to what the xi that came in are off it; the
-// shape is convex, so that the preimages leave it by that and the last term at most.
+// straight line, whose ends are those of the segment up to the error of the given xi. The shape is
+// convex, so that the preimages leave it by at most that error and the last term.
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A first box's size: the ends' distance, and a part of the largest of them where they agree, for
-/// the bend of the line between. Not below kMinRadius, for the error of the ends' xi.
+/// The half width of the first box along each direction: kOwnShare times half of the ends'
+/// distance, plus kLargestShare times the largest of these for the bend of the line where the ends
+/// agree, plus kMinRadius for the error of the ends' xi.
 inline constexpr double kOwnShare = 1.25;
 inline constexpr double kLargestShare = 0.125;
 inline constexpr double kMinRadius = 0x1p-32;
-/// Each box four times as large as the one before.
+/// Each box is four times as large as the one before.
 inline constexpr int kSegmentBoxes = 3;
 inline constexpr double kGrowth = 4.0;
 
-/// A box around xi0 that holds the segment's preimages, and what their line does in it.
+/// A box around xi0 that holds the segment's preimages, and the deviation of their line in it.
 struct SegmentBox
 {
   Point<Lanes> radius; ///< infinite where nothing is proven
@@ -86,7 +87,7 @@ SegmentBox BoxOfSegments(const EnclosureTask& task, const BallKernels& kernels,
       reach.x[d] = ball::RoundUp(straight.x[d] + bend.x[d]);
       proven = And(proven, reach.x[d] < size.x[d]);
     }
-    // Once more from the box that is proven.
+    // Repeats the step from the proven box.
     bend = krawczyk.Spread(reach);
     Lanes tolerance = Splat(0.0);
     for (int d = 0; d < 3; ++d)
@@ -114,7 +115,7 @@ void EncloseSegmentPacks(
   const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
   const int lanes = LaneCount();
   const bool mixes = task.mapping == Mapping::Covariant || task.mapping == Mapping::Contravariant;
-  // What a mapping mixes has three components.
+  // A mapping mixes three components.
   const int atOnce = mixes ? 3 : 1;
   for (int i = 0; i < segments.from.count; i += lanes)
   {

@@ -8,7 +8,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Each bound on the modes' numbers falls or stays: a subset of the space.
+/// Each bound on the modes' numbers falls or stays, so the modes are a subset of the space's.
 Space Lowered(const Space& space, int order)
 {
   Space low = space;
@@ -19,7 +19,7 @@ Space Lowered(const Space& space, int order)
   return low;
 }
 
-/// By mode of `space`: its number in `low`, -1 where that lacks it.
+/// For each mode of `space` its number in `low`, -1 where that lacks it.
 std::vector<int> NumbersIn(const Space& space, const Space& low)
 {
   std::map<std::array<int, 3>, int> kept;
@@ -100,7 +100,7 @@ double LargestChange(
   {
     return 0.0;
   }
-  // A hundredth tells enough of an error.
+  // Two digits of an error suffice.
   constexpr RangeEffort kEffort{ 1e-2, 500 };
   const Field dropped = truncation.Dropped();
   RangeQuestion question;

@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-/// 64 MiB an element.
+/// The memory limit of one element: 64 MiB.
 constexpr std::size_t kMaxHeld = std::size_t{ 1 } << 23U;
 /// Where a box's enclosure reaches below zero by less than this many times the width of the
 /// enclosure of a point, subdivision finds no point that is proven to be negative.
@@ -25,7 +25,7 @@ bool IsZeroWithinRounding(const RangeBox& box)
   return box.lowestCorner <= 0.0 && -box.bound.lower <= kRoundingOnly * box.rounding;
 }
 
-/// Looks for a point where a function is not positive, or for the proof that there is none.
+/// Searches for a point where a function is not positive, or for a proof that there is none.
 class SignSearch
 {
 public:
@@ -86,8 +86,8 @@ private:
     Boxes.push_back(std::move(box));
   }
 
-  /// The box whose enclosure reaches lowest; where memory gets short the latest one, so that few
-  /// wait.
+  /// Takes the box whose enclosure reaches lowest. Where memory gets short, takes the latest box,
+  /// so that few boxes wait.
   RangeBox Take()
   {
     if (Held <= kMaxHeld)
@@ -126,7 +126,7 @@ const char* Name(Validity validity)
 
 ElementValidity ValidityOf(const Mesh& mesh, int element, const RangeEffort& effort)
 {
-  // In the element's units, where det J does not underflow.
+  // The range is in the element's units, where det J does not underflow.
   const ElementRange range(mesh, element, { Quantity::Jacobian });
   SignSearch search(range);
   search.Run(effort.boxes);
