@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Whatever the order of the directions.
+/// The place of a third derivative, for any order of the directions.
 std::size_t ThirdAt(std::size_t a, std::size_t b, std::size_t c)
 {
   // 111, 112, 113, 122, 123, 133, 222, 223, 233, 333
@@ -40,7 +40,7 @@ void ForEachTriple(const Visit& visit)
   }
 }
 
-/// What a field's modes are in units of. Of zeros any unit is right, and their exponent has none.
+/// The unit of a field's modes. Modes that are all zero have no exponent; their unit is 1.
 double UnitOf(const ScaledModes& modes)
 {
   const double unit = std::ldexp(1.0, modes.exponent);
@@ -95,8 +95,7 @@ BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
       products.inverse[3 * j + a] = Cofactor<BoxValue>(J, a, j) * products.overDeterminant;
     }
   }
-  // The polynomials of second and third derivatives are behind the others, in the same order as
-  // here.
+  // The polynomials of second and third derivatives follow the others, in the same order as here.
   std::span<const BoxValue> rest = p.subspan(Ingredients.size() + (NeedsXi ? 3 : 0));
   std::array<BoxValue, 4> factors;
   const auto take = [&rest](std::size_t count)
@@ -108,7 +107,7 @@ BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
   BoxValue overH3;
   BoxValue overH23;
   const Shape shape = Map.space.shape;
-  // The kernels compute second derivatives in another way, and are off by these errors.
+  // The kernels compute second derivatives by another method and differ by at most these errors.
   const auto secondsByXi = [&](double error)
   {
     auto seconds = HessianFunction::SecondsByXi<BoxValue>(
@@ -180,7 +179,7 @@ BoxLeaves::WorldDerivatives BoxLeaves::InWorld(const Products& products,
   WorldDerivatives world;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    // In the kernels' order of operations, so that the bound of their rounding holds.
+    // Uses the kernels' order of operations, so that the bound of their rounding holds.
     world.slopes[a] = byX(slopes[0], slopes[1], slopes[2], a);
   }
   if (!places.hasSeconds)

@@ -26,12 +26,12 @@ struct JacobianValues
   std::array<std::array<BoxValue, 6>, 3> second;
 };
 
-/// Leaves of a graph on one element, over boxes: the polynomials in eta that they are made of, and
-/// what each leaf is for given enclosures of those. Derivatives by x are made of derivatives by xi
-/// and the inverse Jacobian.
+/// Leaves of a graph on one element, over boxes: the polynomials in eta that they depend on, and
+/// the value of each leaf from enclosures of those. Derivatives by x are computed from derivatives
+/// by xi and the inverse Jacobian.
 ///
 /// Mapped fields (H(curl), H(div), densities) have values alone, other fields derivatives up to the
-/// third (HessianFunction::Thirds). Nothing is known of normals and of what lies behind faces.
+/// third (HessianFunction::Thirds). Normals and values behind faces are unbounded.
 class BoxLeaves
 {
 public:
@@ -44,20 +44,20 @@ public:
   [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
-  /// `polynomials`: enclosures of those, in their order. Writes one value for each leaf, and d Phi
-  /// / d xi in world units, row-major, to `jacobian` where that is given.
+  /// `polynomials`: enclosures of Polynomials, in their order. Writes one value for each leaf, and
+  /// d Phi / d xi in world units, row-major, to `jacobian` if given.
   void Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
     JacobianValues* jacobian = nullptr) const;
 
-  /// The Jacobian is needed, and bounds of rounding: how far the kernels' values of the polynomials
-  /// are off, in their order, goes into Evaluate. `coordinateErrors`: see FieldFunction.
+  /// Requests the Jacobian and bounds of rounding; Evaluate then includes the rounding errors of
+  /// the kernels' values of the polynomials. `coordinateErrors`: see FieldFunction.
   void NeedJet(const Vec3& coordinateErrors, bool withSeconds);
-  /// Of the polynomials, bounds of the rounding of the kernels' values.
+  /// For each polynomial, a bound of the rounding of the kernels' values.
   [[nodiscard]] std::span<const double> Errors() const { return OfKernels; }
 
 private:
-  /// Of a component of a field or of the map: the places of the value and of the first of three
-  /// derivatives by xi in the list of polynomials; -1: it is not in the list.
+  /// Places in the list of polynomials of a component of a field or of the map: the value, and the
+  /// first of three derivatives by xi. -1: not in the list.
   struct Places
   {
     int value = -1;

@@ -11,7 +11,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What a condition may be where it is computed from arguments that are off.
+/// Encloses the values of a condition that is computed from arguments with errors.
 Interval ConditionWithErrors(const Graph::Node& node, std::span<const BoxValue> a)
 {
   std::array<KnownInterval, Graph::kMaxArguments> wide;
@@ -31,8 +31,8 @@ bool IsStep(Operation operation)
     operation == Operation::Ceil;
 }
 
-/// What the errors of the arguments of a function become: by its slope over all that may be
-/// computed of them.
+/// Bounds the error of a function of an argument with an error, by the function's slope over all
+/// possible computed arguments.
 double PropagatedBy(Operation operation, const BoxValue& f)
 {
   if (f.error == 0.0)
@@ -63,7 +63,8 @@ double PropagatedByPower(const BoxValue& f, const BoxValue& exponent, const Inte
   {
     return kInfinity;
   }
-  // Of b log a; its exponential moves by no more than twice as much, as long as that is small.
+  // The error of b log a. Its exponential changes by at most twice as much, as long as that is
+  // small.
   const double relative = to.Magnitude() * f.error / least +
     FunctionOf(Operation::Log, base).Magnitude() * exponent.error;
   return relative <= 0.25 ? 2.0 * result.Magnitude() * relative : kInfinity;
@@ -91,10 +92,10 @@ const BoxValue* Chosen(const Graph::Node& node, std::span<const BoxValue> a)
 
 double RoundedError(double propagated, double own, const Interval& result)
 {
-  // Covers the rounding of the bound.
+  // Covers the rounding of the bound itself.
   constexpr double kAbove = 1.0 + 0x1p-40;
   const double error = (propagated + own * (result.Magnitude() + propagated)) * kAbove + 0x1p-1060;
-  // Written so that a NaN is not a bound.
+  // The comparison is written so that a NaN is not a bound.
   return error >= 0.0 ? error : kInfinity;
 }
 

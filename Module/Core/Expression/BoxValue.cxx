@@ -14,7 +14,7 @@ namespace pixelexact
 {
 namespace
 {
-/// The form of a scalar of which a range alone is known.
+/// The affine form of a scalar of which only a range is known.
 AffineForm FormOf(const Interval& range)
 {
   AffineForm form;
@@ -26,8 +26,8 @@ AffineForm FormOf(const Interval& range)
   return form;
 }
 
-/// The mean value form of a function with these slopes over the range of `f`; nothing where it is
-/// not bounded. `atMiddle` holds the value at the middle.
+/// The mean value form of a function with these slopes over the range of `f`; none where it is not
+/// bounded. `atMiddle` holds the value at the middle.
 std::optional<AffineForm> Linearised(
   const BoxValue& f, const Interval& slope, const Interval& atMiddle)
 {
@@ -125,7 +125,7 @@ BoxValue::BoxValue(const AffineForm& itsForm, const KnownInterval& interval)
   , known(interval)
 {
   const Interval both = Intersect(known.value, form.Range());
-  // Neither holds what is NaN: they need not meet then.
+  // An enclosure does not hold NaN, so that the two may not intersect.
   known.value = both.IsEmpty() ? known.value : both;
   known.mayBeNaN = known.mayBeNaN || !known.value.IsFinite();
   if (!form.e.IsFinite())
@@ -136,7 +136,7 @@ BoxValue::BoxValue(const AffineForm& itsForm, const KnownInterval& interval)
 
 namespace
 {
-/// `propagated`: what becomes of the arguments' errors.
+/// `propagated`: the error that the arguments' errors cause.
 BoxValue Finished(const AffineForm& form, const Interval& interval, const BoxValue& f,
   const BoxValue& g, double propagated)
 {
@@ -149,14 +149,14 @@ BoxValue Finished(const AffineForm& form, const Interval& interval, const BoxVal
 BoxValue Applied(Operation operation, std::initializer_list<BoxValue> arguments)
 {
   Graph::Node node{ .operation = operation };
-  // Distinct ones: the product of one and the same is a square.
+  // The arguments have distinct numbers: a product of equal numbers is a square.
   node.arguments[0] = 0;
   node.arguments[1] = arguments.size() > 1 ? 1 : -1;
   return ApplyToBoxes(node, { arguments.begin(), arguments.size() });
 }
 } // namespace
 
-// What most nodes are, without a detour by the graph's operations.
+// The operations of most nodes, without the graph's dispatch.
 
 BoxValue operator+(const BoxValue& f, const BoxValue& g)
 {
@@ -222,7 +222,7 @@ BoxValue ApplyToBoxes(const Graph::Node& node, std::span<const BoxValue> argumen
   const std::span known = std::span(storage).first(arguments.size());
   KnownInterval interval = ApplyToIntervals(node, known);
   const std::optional<AffineForm> form = FormOf(node, arguments);
-  // A bounded form of what is defined proves that the scalar is defined.
+  // A bounded form of defined arguments proves that the scalar is defined.
   interval.mayBeNaN = interval.mayBeNaN &&
     !(form && form->e.IsFinite() && std::ranges::none_of(known, &KnownInterval::mayBeNaN));
   BoxValue value = form ? BoxValue(*form, interval) : BoxValue(interval);

@@ -8,17 +8,17 @@
 
 namespace pixelexact
 {
-/// What is known of a node's value: it is in the interval, or NaN.
+/// An enclosure of a node's value: it is in the interval, or NaN.
 struct KnownInterval
 {
   Interval value{ 0.0 };
   /// True wherever the interval is not finite: where a function is not defined on all of its
-  /// argument, the interval is everything.
+  /// argument, the interval is -inf to inf.
   bool mayBeNaN = false;
 };
 
-/// a + b and a b, not below 0 where neither is: rounding outwards alone would leave sums of squares
-/// without a root.
+/// a + b and a b, not below 0 where neither is negative: rounding outwards alone would leave sums
+/// of squares without a root.
 [[nodiscard]] Interval SumOf(const Interval& a, const Interval& b);
 [[nodiscard]] Interval ProductOf(const Interval& a, const Interval& b);
 
@@ -28,7 +28,7 @@ struct KnownInterval
 /// `a`.
 [[nodiscard]] Interval FunctionOf(Operation operation, const Interval& a);
 
-/// Encloses the values of the derivative of such an operation; everything where it is not known.
+/// Encloses the values of the derivative of such an operation; -inf to inf where it is not known.
 [[nodiscard]] Interval SlopeOf(Operation operation, const Interval& a);
 
 /// Encloses the values of any operation with arguments, NaN included.

@@ -59,7 +59,8 @@ public:
   [[nodiscard]] bool NeedsNormals() const { return OfNormals; }
 
 private:
-  /// What is needed of a field, by the order of the derivative; its arrays follow one another.
+  /// A field and the highest order of its derivatives that the graph needs; its arrays follow one
+  /// another.
   struct NeededField
   {
     const Field* field;

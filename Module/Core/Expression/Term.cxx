@@ -15,11 +15,11 @@ namespace
 {
 namespace peg = tao::pegtl;
 
-/// Bounds of the parser's time and of its recursion.
+/// Limits of the parser's time and recursion.
 constexpr std::size_t kMaxLength = 4096;
 constexpr int kMaxDepth = 64;
 
-/// What has been read and is not yet part of another term.
+/// Terms that have been read and are not yet part of another term.
 struct Terms
 {
   std::vector<Term> done;
@@ -31,7 +31,7 @@ struct Terms
     done.pop_back();
     return term;
   }
-  /// Those behind the first `count` become children of `term`.
+  /// Makes the terms after the first `count` children of `term`.
   void Close(Term term, std::size_t count)
   {
     const auto first = done.begin() + static_cast<std::ptrdiff_t>(count);
@@ -42,7 +42,7 @@ struct Terms
   }
 };
 
-// The grammar. A rule's blanks are those behind it.
+// The grammar. A rule includes the blanks after it.
 struct Blank : peg::star<peg::space>
 {
 };
@@ -59,7 +59,7 @@ struct DecimalNumber
       peg::opt<peg::one<'e', 'E'>, peg::opt<peg::one<'+', '-'>>, DigitRun>>
 {
 };
-/// Letters beyond ASCII are bytes of UTF-8.
+/// Letters outside ASCII are bytes of UTF-8.
 struct WordBegin : peg::sor<peg::alpha, peg::one<'_'>, peg::not_range<'\x00', '\x7f'>>
 {
 };
@@ -336,7 +336,7 @@ struct TermAction<NotTerm> : ApplySign
 {
 };
 
-/// Brackets, powers and signs within each other are recursions of the parser.
+/// Rejects deep nesting: brackets, powers and signs within each other are recursions of the parser.
 void RequireShallow(const std::string& text)
 {
   std::vector<int> brackets; ///< the levels at which they were opened

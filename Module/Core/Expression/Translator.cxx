@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Names that mean something by themselves, and what else they are called.
+/// Predefined names and their aliases.
 struct BuiltIn
 {
   const char* name;
@@ -46,7 +46,7 @@ Translator::Translator(Graph& graph, const ExpressionScope& scope)
 {
 }
 
-/// With the term's place in what it throws.
+/// Adds the term's place to what `function` throws.
 template <class Function>
 auto Translator::AtTerm(const Term& term, const Function& function)
 {
@@ -206,7 +206,8 @@ Tensor Translator::MakeBuiltIn(const std::string& name)
   {
     if (Scope.fields.empty())
     {
-      throw InvalidData("there is no field of which the order could be told");
+      throw InvalidData(
+        "'order' needs a field, and there is none; use it with data that have fields");
     }
     return ScalarOf(leaf(Operation::Order, 0));
   }
