@@ -9,30 +9,32 @@
 
 namespace pixelexact
 {
-/// What lies behind an element's face at one of its points.
+/// The neighbour behind an element's face at one of its points.
 struct BehindFace
 {
-  /// Inside: an element does, on the other side of the face. Outside: none. Unknown: some element
+  /// Inside: an element lies on the other side of the face. Outside: none. Unknown: some element
   /// could not be decided.
   Verdict verdict = Verdict::Outside;
   std::int32_t element = -1; ///< the lowest number, where elements overlap
   Vec3 xi{ 0.0 };            ///< where it holds the point, to first order
 };
 
-/// Of points of a face: `xi` on it, `x` their images; one entry of `behind` for each. Each point is
-/// located beyond the face by twice the element's own uncertainty: another element that holds it
-/// there within the faces' tolerance, on a face that looks against this one, is behind it. So along
-/// the rim of what covers a face the answer is that of a rim moved by rounding; what lies off the
-/// face by more than the uncertainties, or overlaps this element by 1e-6 of its size, is not behind
-/// it (see Documentation/curved-surfaces.md).
+/// Finds the neighbours behind points of a face: `xi` on it, `x` their images; one entry of
+/// `behind` for each. Each point is located outside the face at twice the element's own
+/// uncertainty. The neighbour is another element that holds the point there within the faces'
+/// tolerance, on a face that has the opposite direction. Along the rim of a neighbour the result is
+/// that of a rim moved by rounding. An element that is off the face by more than the uncertainties,
+/// or overlaps this element by 1e-6 of its size, is no neighbour (see
+/// Documentation/curved-surfaces.md).
 ///
-/// Serial; best called with neighbours. The answer for a point depends on that point alone.
+/// Serial; faster for points near each other. The result for a point depends on that point alone.
 void FindBehind(const Locator& locator, const ElementFace& face, std::span<const Vec3> xi,
   std::span<const Vec3> x, std::span<BehindFace> behind);
 
-/// Of any points of an element: `xi`, and `x`, their images. A point is on a face where its
-/// distance in xi is at most 1e-9; on edges and vertices, the first face with an element behind it
-/// counts. Points on no face: Outside. Serial; the answer for a point depends on that point alone.
+/// The same for any points of an element: `xi`, and `x`, their images. A point is on a face where
+/// its distance in xi is at most 1e-9; on edges and vertices, the first face with an element behind
+/// it counts. Points on no face: Outside. Serial; the result for a point depends on that point
+/// alone.
 void FindBehindPoints(const Locator& locator, int element, std::span<const Vec3> xi,
   std::span<const Vec3> x, std::span<BehindFace> behind);
 } // namespace pixelexact

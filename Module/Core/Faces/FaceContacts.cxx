@@ -18,7 +18,7 @@ namespace
 constexpr std::size_t kNone = ~std::size_t{ 0 };
 constexpr std::size_t kSeveral = kNone - 1;
 
-/// What the points of a face say of it.
+/// Counts the sample points of a face that lie on other faces.
 struct Evidence
 {
   bool hasArea = true;
@@ -88,7 +88,7 @@ private:
       });
   }
 
-  /// At the unpaired faces of an element.
+  /// Compares the samples with the unpaired faces of an element.
   void LookAt(int element, const Vec3& mine, Evidence& evidence)
   {
     const auto first = std::ranges::lower_bound(Faces, ElementFace{ element, 0 });
@@ -145,7 +145,7 @@ private:
   std::vector<char> Found;
 };
 
-/// Whether the points of two faces all lie on one another, and on no other.
+/// Whether all points of each of two faces lie on the other, and on no other face.
 bool AreWhole(std::span<const Evidence> evidence, std::size_t one)
 {
   const std::size_t other = evidence[one].behind;

@@ -12,17 +12,17 @@ namespace pixelexact
 {
 class FaceGrids;
 
-/// What lies behind a face that has no pair.
+/// The classification of a face that has no pair.
 struct FaceContact
 {
   FaceKind kind = FaceKind::Boundary;
   ElementFace neighbour; ///< of Interior, where the face has an area
 };
 
-/// One for each of the faces, which are those that have no pair, in ascending order: points of each
-/// (its open grid) are looked for on the others, up to both elements' uncertainty (per element,
-/// world units). A face without area, an edge or a vertex of a collapsed element, bounds nothing
-/// and is Interior.
+/// Classifies the faces without a pair, given in ascending order, one entry each. Searches for
+/// sample points of each face (its open grid) on the others, up to both elements' uncertainty (per
+/// element, world units). A face without area, an edge or a vertex of a collapsed element, bounds
+/// nothing and is Interior.
 std::vector<FaceContact> FindFaceContacts(const ElementIndex& index, const FaceGrids& grids,
   std::span<const Vec3> uncertainty, std::span<const ElementFace> faces);
 } // namespace pixelexact

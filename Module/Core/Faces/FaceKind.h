@@ -5,7 +5,7 @@
 
 namespace pixelexact
 {
-/// What lies behind a face of an element.
+/// Classifies the elements behind a face.
 enum class FaceKind : std::uint8_t
 {
   Boundary, ///< nothing: the mesh ends there

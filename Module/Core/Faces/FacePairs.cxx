@@ -18,10 +18,11 @@ namespace pixelexact
 {
 namespace
 {
-/// No plane of a usual mesh is normal to it, so that few faces have the same place along it.
+/// No plane of a usual mesh is normal to this direction, so that few faces have the same place
+/// along it.
 constexpr Vec3 kDirection{ 0.6180339887498949, 0.7548776662466927, 0.5698402909980532 };
 
-/// Where a face's centre may lie along kDirection.
+/// The interval along kDirection that may hold a face's centre.
 struct Place
 {
   double lower = 0.0;
@@ -64,7 +65,7 @@ public:
     {
       for (const int step : { 1, corners - 1 })
       {
-        // Corner c of one is corner `turned[c]` of the other.
+        // Corner c of one face is corner `turned[c]` of the other.
         std::array<std::size_t, 4> turned{};
         bool fits = true;
         for (int c = 0; c < corners && fits; ++c)
@@ -173,19 +174,19 @@ std::vector<Place> SortedPlaces(
   return places;
 }
 
-/// Keeps the first of the faces that it is told of; the order of telling is of no matter.
+/// Keeps the first of the faces that are added, by element and face, in any order of additions.
 class FirstFace
 {
 public:
-  void Tell(const ElementFace& face)
+  void Add(const ElementFace& face)
   {
     std::uint64_t known = Packed.load(std::memory_order_relaxed);
-    const std::uint64_t told = Pack(face);
-    while (told < known && !Packed.compare_exchange_weak(known, told, std::memory_order_relaxed))
+    const std::uint64_t added = Pack(face);
+    while (added < known && !Packed.compare_exchange_weak(known, added, std::memory_order_relaxed))
     {
     }
   }
-  /// Whether telling this face would change nothing.
+  /// Whether adding this face would change nothing.
   [[nodiscard]] bool IsBefore(const ElementFace& face) const
   {
     return Packed.load(std::memory_order_relaxed) <= Pack(face);
@@ -228,8 +229,8 @@ std::vector<ElementFace> FindFacePairs(const Mesh& mesh, const FaceNumbers& numb
           const bool known = ofOne.IsBefore(other) && ofOther.IsBefore(one);
           if (!known && comparison.ArePair(one, other))
           {
-            ofOne.Tell(other);
-            ofOther.Tell(one);
+            ofOne.Add(other);
+            ofOther.Add(one);
           }
         }
       }

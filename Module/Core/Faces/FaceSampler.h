@@ -36,17 +36,18 @@ private:
   std::vector<double> Lanes;
 };
 
-/// Points to compare and to look behind faces at, for polynomials of every order of a mesh.
+/// Sample points of faces, to compare them and to find their neighbours, for polynomials of every
+/// order of a mesh.
 class FaceGrids
 {
 public:
   explicit FaceGrids(int highestOrder);
 
-  /// (n + 1)^2 points, corners and edges among them, at which a polynomial of order n (at least 1)
-  /// is bounded: Gauss-Lobatto-Legendre's; in triangles collapsed towards a corner.
+  /// (n + 1)^2 points, corners and edges included, whose values bound a polynomial of order n (at
+  /// least 1): the Gauss-Lobatto-Legendre points; in triangles collapsed towards a corner.
   [[nodiscard]] std::span<const FacePoint> Closed(int corners, int order) const;
-  /// Points off the edges, at least 16 and as many as `Closed` has: Gauss-Legendre's of even
-  /// number, so that none is where a face is commonly halved.
+  /// Points off the edges, at least 16 and as many as `Closed` has: Gauss-Legendre points of an
+  /// even number, so that none lies in the middle, where hanging faces usually meet.
   [[nodiscard]] std::span<const FacePoint> Open(int corners, int order) const;
 
 private:

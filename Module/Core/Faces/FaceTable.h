@@ -9,29 +9,29 @@
 
 namespace pixelexact
 {
-/// What lies behind each face of each element, from the mesh's geometry alone: files need not say
-/// which elements are neighbours, and neighbours need not share nodes. See
+/// Classifies what lies behind each face of each element, from the mesh's geometry alone: files
+/// need not state which elements are neighbours, and neighbours need not share nodes. See
 /// Documentation/curved-surfaces.md for the method, for what is compared and for what is not
 /// proven.
 ///
-/// Safe to use from several threads. Threads and order of work change nothing in it.
+/// Safe to use from several threads. The result does not depend on threads and order of work.
 class FaceTable
 {
 public:
-  /// In parallel. The index is not used afterwards.
+  /// Builds the table in parallel. The index is not used afterwards.
   explicit FaceTable(const ElementIndex& index);
 
-  /// Of all elements: a face between two counts twice.
+  /// The number of faces of all elements: a face between two elements counts twice.
   [[nodiscard]] std::int64_t Faces() const { return static_cast<std::int64_t>(Kinds.size()); }
-  /// Of them, those of a kind.
+  /// The number of these faces that are of a kind.
   [[nodiscard]] std::int64_t CountOf(FaceKind kind) const;
 
-  /// `face` as in FacesOf(shape). Nothing is checked.
+  /// `face` as in FacesOf(shape). The arguments are not checked.
   [[nodiscard]] FaceKind KindOf(int element, int face) const
   {
     return Kinds[Numbers.NumberOf(element, face)];
   }
-  /// The face on the other side of an Interior one, the first where elements overlap; none for
+  /// The face on the other side of an Interior one, the first where elements overlap. None for
   /// other kinds, and for an Interior face without area, which a collapsed element may have.
   [[nodiscard]] ElementFace NeighbourOf(int element, int face) const
   {
