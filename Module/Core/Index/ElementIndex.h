@@ -15,11 +15,11 @@
 
 namespace pixelexact
 {
-/// Where a mesh's elements are, and what is known of each: boxes with a hierarchy over them, made
-/// at once; bounds and trees, each made when somebody first asks for them. Knows no points, rays or
-/// fields of its own: location, surfaces and contours are its clients.
+/// An index of a mesh's elements: their boxes with a hierarchy over them, built in the constructor;
+/// bounds and trees of elements, each built on first use. It contains no points, rays or fields;
+/// location, surfaces and contours use it.
 ///
-/// Safe to use from several threads. What has been made changes no answer.
+/// Safe to use from several threads. Results do not depend on what has been built before.
 class ElementIndex
 {
 public:
@@ -33,15 +33,15 @@ public:
   [[nodiscard]] const Mesh& GetMesh() const { return mesh_; }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
   [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
-  /// Holds the element's image, widened by its uncertainty.
+  /// The box that holds the element's image, widened by its uncertainty.
   [[nodiscard]] const Box3& ElementBox(int element) const
   {
     return Boxes[static_cast<std::size_t>(element)];
   }
 
-  /// The elements whose boxes meet a box, by ascending number. No element that does is left out.
+  /// Finds all elements whose boxes meet a box, by ascending number.
   void FindNear(const Box3& region, std::vector<int>& elements) const;
-  /// The elements whose boxes a segment of a ray (ClipRay) meets, and some others near it, by
+  /// Finds the elements whose boxes a segment of a ray (ClipRay) meets, and some others near it, by
   /// ascending number.
   void FindAlong(const Segment& segment, std::vector<int>& elements) const;
 
@@ -54,17 +54,19 @@ public:
   {
     return Made[static_cast<std::size_t>(element)].load(std::memory_order_relaxed) != nullptr;
   }
-  /// Elements whose bounds have been made.
+  /// The number of elements whose bounds have been computed.
   [[nodiscard]] int BoundedElements() const { return MadeCount; }
 
-  /// The tree of an element. It is kept while somebody holds it, and as long as all trees together
-  /// are within the limit; then all are dropped and grown anew.
+  /// The tree of an element. The index keeps trees as long as all of them together are within the
+  /// limit; then it drops all, and rebuilds each on its next use. A dropped tree exists until its
+  /// last holder releases it.
   [[nodiscard]] std::shared_ptr<ElementTree> TreeOf(int element) const;
-  /// Bytes beyond which trees are dropped; 256 MiB at first. Which are kept changes no answer.
+  /// Sets the number of bytes above which trees are dropped; 256 MiB by default. Results do not
+  /// depend on it.
   void SetTreeLimit(std::size_t bytes) { TreeLimit = static_cast<std::int64_t>(bytes); }
   [[nodiscard]] std::size_t TreeBytes() const;
 
-  /// Bytes held beside the mesh's own arrays.
+  /// Bytes held in addition to the mesh's own arrays.
   [[nodiscard]] std::size_t MemoryUsage() const;
 
 private:
@@ -76,7 +78,7 @@ private:
   std::unique_ptr<Bvh> Hierarchy;
   std::unique_ptr<std::atomic<const ElementBounds*>[]> Made;
   mutable std::atomic<int> MadeCount{ 0 };
-  /// Before the trees, which subtract from it when they go.
+  /// Declared before the trees, which subtract from it when they are destroyed.
   mutable std::atomic<std::int64_t> Grown{ 0 };
   std::atomic<std::int64_t> TreeLimit{ std::int64_t{ 256 } << 20U };
   mutable std::mutex TreesMutex;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The one place that knows which Embree is there: 3 and 4 differ in their folder, and in how a ray
-// is told whom to call.
+// The one file that depends on Embree's version: 3 and 4 differ in their folder, and in how a ray
+// gets its callback.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -32,7 +32,7 @@ inline void BeginContext(EmbreeContext& context)
 {
   rtcInitIntersectContext(&context);
 }
-/// Calls the geometry's occlusion function for what the ray may meet.
+/// Calls the geometry's occlusion function for all boxes that the ray may meet.
 inline void CallAlong(RTCScene scene, EmbreeContext& context, RTCRay& ray)
 {
   rtcOccluded1(scene, &context, &ray);

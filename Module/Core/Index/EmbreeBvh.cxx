@@ -45,7 +45,7 @@ bool Collect(RTCPointQueryFunctionArguments* arguments)
   return false; // the radius stays
 }
 
-/// What an occlusion function is told of its ray.
+/// The context that an occlusion function receives with its ray.
 struct AlongState
 {
   EmbreeContext context; ///< first: Embree hands out its address
@@ -54,14 +54,14 @@ struct AlongState
 
 void CollectAlong(const RTCOccludedFunctionNArguments* arguments)
 {
-  // The ray is not hidden, and goes on.
+  // Reports the ray as not occluded, so that it continues.
   reinterpret_cast<AlongState*>(arguments->context)
     ->out->push_back(static_cast<int>(arguments->primID));
 }
 
-/// By what boxes are widened. A segment's points, as floats, are off by 2^-24 for the one of its
-/// ends (at most 1 in size), by twice that for the way to the other; Embree takes the sides of a
-/// box to be off by 2^-23; most of the rest is for the segment's slack.
+/// The widening of boxes. A segment's points, as floats, are off by 2^-24 for one of its ends (at
+/// most 1 in size), and by twice that for the way to the other; Embree assumes sides of a box to be
+/// off by 2^-23; most of the rest is for the segment's slack.
 constexpr float kBoxSlack = 0x1p-20F;
 constexpr double kMaxSlack = 0x1p-21;
 

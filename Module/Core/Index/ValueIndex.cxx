@@ -12,7 +12,7 @@ ValueIndex::ValueIndex(const Mesh& mesh, const RangeQuestion& question, int boxe
   : Ranges(static_cast<std::size_t>(mesh.Elements()))
   , Whole{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() }
 {
-  // A range that is a tenth too wide costs less than making it tighter.
+  // A range that is a tenth too wide costs less than a tighter one.
   const RangeEffort effort{ 0.1, boxes };
   tbb::parallel_for(0, mesh.Elements(),
     [&](int e)
@@ -30,7 +30,7 @@ ValueIndex::ValueIndex(const Mesh& mesh, const RangeQuestion& question, int boxe
 void ValueIndex::Find(const Interval& values, std::vector<int>& elements) const
 {
   elements.clear();
-  // Of a million elements in a millisecond; a tree would save little of what follows.
+  // Takes a millisecond for a million elements; a tree would save little.
   for (std::size_t e = 0; e < Ranges.size(); ++e)
   {
     if (Ranges[e].lower <= values.upper && values.lower <= Ranges[e].upper)
