@@ -9,7 +9,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of all quantities, where the area is at most this.
+/// Bounds all quantities over a box that contains at most this area of the surface.
 Sums BoundsOfArea(ElementFunctions& functions, const PieceBox& box, double area)
 {
   const IntegralQuestion& question = functions.Question();

@@ -15,8 +15,8 @@ namespace pixelexact
 {
 namespace
 {
-/// From Bernstein coefficients over [-1, 1] to Chebyshev coefficients over [-reach, reach]: the
-/// discrete cosine transform of values at Chebyshev's points, exact but for roundings.
+/// The change from Bernstein coefficients over [-1, 1] to Chebyshev coefficients over [-reach,
+/// reach]: the discrete cosine transform of values at Chebyshev's points, exact up to rounding.
 struct Change
 {
   Change(int degree, double reach);
@@ -111,7 +111,8 @@ BoxModel::BoxModel(const BoxPolynomial& polynomial, const std::array<int, 3>& ax
     const auto d = static_cast<std::size_t>(axes[v]);
     change[d] = &ChangeOf(degree[d], v == 2 || (v == 1 && wideB));
   }
-  // What the coefficients have in common is set aside: small numbers round by less.
+  // Subtracts a common base from the coefficients first: smaller numbers have smaller rounding
+  // errors.
   std::vector<double> values = polynomial.b;
   const double base = values[values.size() / 2];
   double rounded = 0.0;

@@ -8,20 +8,20 @@
 
 namespace pixelexact
 {
-/// A polynomial of three variables over a box, in Chebyshev's polynomials of total degree
-/// ChebyshevModel::kDegree; what is left is in `error`. The variables (a, b, c) are the box's
-/// directions in any order. The third one, and the second one where asked, reach kReach beyond the
-/// box, so that functions that only just stay in it can be put in.
+/// A polynomial of three variables over a box, in Chebyshev polynomials of total degree
+/// ChebyshevModel::kDegree; `error` bounds the remainder. The variables (a, b, c) are the box's
+/// directions in any order. The third one, and with `wideB` the second one, reach kReach beyond the
+/// box, so that functions that nearly leave it can be substituted.
 class BoxModel
 {
 public:
-  /// Of the box, from its middle, in units of its half width.
+  /// The reach from the middle of the box, in units of its half width.
   static constexpr double kReach = 1.0 + 1.0 / 16.0;
 
-  /// `axes`: the box's directions that a, b and c are.
+  /// `axes`: the box's directions of a, b and c.
   BoxModel(const BoxPolynomial& polynomial, const std::array<int, 3>& axes, bool wideB);
 
-  /// All values where |a| <= 1, |b| <= 1 or kReach, |c| <= kReach.
+  /// Encloses the values where |a| <= 1, |b| <= 1 or kReach, |c| <= kReach.
   [[nodiscard]] Interval Range() const;
 
 private:
@@ -34,7 +34,7 @@ private:
   double SlopeC = 0.0;
 };
 
-/// Places (s, b(s, t), c(s, t)) at which several polynomials are asked for.
+/// Places (s, b(s, t), c(s, t)) at which several polynomials are evaluated.
 class PointedModels
 {
 public:
@@ -42,12 +42,12 @@ public:
   /// The same with b = t.
   explicit PointedModels(const ChebyshevModel& c);
 
-  /// Whether both stay within BoxModel::kReach; else nothing may be asked.
+  /// Whether both stay within BoxModel::kReach. If not, no polynomial may be evaluated.
   [[nodiscard]] bool IsWithin() const { return Within; }
-  /// Whether polynomials have to reach beyond the box along b.
+  /// Whether polynomials must reach beyond the box along b.
   [[nodiscard]] bool IsWideB() const { return !PlainB; }
-  /// f there, which reaches along b as IsWideB tells. The errors of b and c are turned into one of
-  /// the value.
+  /// f at the places. If IsWideB, f must reach beyond the box along b. The errors of b and c are
+  /// included in the error of the value.
   [[nodiscard]] ChebyshevModel Of(const BoxModel& f) const;
 
 private:

@@ -18,13 +18,13 @@ struct BoxRanges
   Interval determinant;
 };
 
-/// Of a component of the field, in world units.
+/// The range of a component of the field, in world units.
 Interval FieldRange(ElementFunctions& functions, const PieceBox& box, int component);
-/// Of z = x - origin.
+/// The range of z = x - origin.
 std::array<Interval, 3> PlaceRange(
   ElementFunctions& functions, const PieceBox& box, const Vec3& origin);
-/// The lengths of a vector.
+/// The range of a vector's length.
 Interval Length(const std::array<Interval, 3>& v);
-/// The sum of the areas of three sides of a box along the axes that holds the image of this one.
+/// The sum of the areas of three sides of an axis-aligned box that holds the image of this one.
 double SidesOf(ElementFunctions& functions, const PieceBox& box);
 } // namespace pixelexact

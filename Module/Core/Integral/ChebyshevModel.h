@@ -8,7 +8,7 @@
 
 namespace pixelexact
 {
-/// Covers the roundings of sums and products of bounds, of which there are fewer than 4000, and
+/// Rounds up by enough for fewer than 4000 roundings of sums and products of bounds, and for
 /// underflow.
 inline double Up(double bound)
 {
@@ -27,7 +27,7 @@ public:
   static constexpr int kDegree = 8;
   static constexpr std::size_t kSize = std::size_t{ kDegree + 1 } * (kDegree + 2) / 2;
 
-  /// Where c_ij is.
+  /// The index of c_ij.
   static constexpr std::size_t Index(int i, int j)
   {
     const int at = i * (kDegree + 1) - i * (i - 1) / 2 + j;
@@ -46,25 +46,26 @@ public:
   std::array<double, kSize> c{};
   double error = 0.0;
 
-  /// A bound of the sum of the coefficients' magnitudes, without the first one where asked.
+  /// Bounds the sum of the coefficients' magnitudes, optionally without the first one.
   [[nodiscard]] double Norm(bool withFirst = true) const;
-  /// Holds all values.
+  /// Encloses all values.
   [[nodiscard]] Interval Range() const;
-  /// The same, narrower and dearer: the hull of the coefficients in Bernstein's form.
+  /// A narrower range at a higher cost: the hull of the coefficients in Bernstein form.
   [[nodiscard]] Interval TightRange() const;
-  /// Over the square.
+  /// The integral over the square.
   [[nodiscard]] Interval Integral() const;
-  /// The same coefficients, exactly.
+  /// The same coefficients, without the error.
   [[nodiscard]] ChebyshevModel Polynomial() const;
-  /// f(t, s).
+  /// The function f(t, s).
   [[nodiscard]] ChebyshevModel Transposed() const;
-  /// By a number that is exact.
+  /// The product with a number that is exact.
   [[nodiscard]] ChebyshevModel Times(double factor) const;
-  // Found for models alone: numbers times intervals are intervals.
+  // Found by argument-dependent lookup of models alone, so that numbers times intervals stay
+  // intervals.
   friend ChebyshevModel operator*(double a, const ChebyshevModel& b) { return b.Times(a); }
-  /// Its derivative by t; where there is an error, nothing is known of it.
+  /// The derivative by t. Its error is infinite if the model has an error.
   [[nodiscard]] ChebyshevModel ByT() const;
-  /// Up to `radius` more.
+  /// Increases the error by `radius`.
   void Widen(double radius);
 };
 
@@ -72,12 +73,12 @@ ChebyshevModel operator+(const ChebyshevModel& a, const ChebyshevModel& b);
 ChebyshevModel operator-(const ChebyshevModel& a, const ChebyshevModel& b);
 ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b);
 
-/// 1 / f. Its error is infinite where f may vanish, or varies too much for the degree.
+/// 1 / f. The error is infinite where f may vanish, or varies too much for the degree.
 ChebyshevModel Reciprocal(const ChebyshevModel& f);
-/// The root of f, which must be positive; else the error is infinite.
+/// The square root of f, which must be positive; otherwise the error is infinite.
 ChebyshevModel SquareRoot(const ChebyshevModel& f);
 
-/// Adds how much of a model, as a part of it, is in its highest terms, along each variable: where
-/// there is more, halving gains more.
+/// Adds the share of the model's highest terms along each variable. Subdivision along a variable
+/// with a larger share gains more.
 void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along);
 } // namespace pixelexact

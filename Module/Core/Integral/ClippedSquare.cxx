@@ -11,16 +11,17 @@ namespace pixelexact
 {
 namespace
 {
-/// Stretches of s are not halved below this.
+/// Stretches of s are not subdivided below this width.
 constexpr double kNarrowestStretch = 0x1p-40;
-/// Looked at; more than a few crossings take: the square is better halved.
+/// The limit of visited stretches; a few crossings need fewer. Beyond it, subdivision of the square
+/// is cheaper.
 constexpr int kMaxStretches = 2000;
-/// Errors of a function that is zero throughout, up to rounding: its polynomial is within one error
-/// of zero, and its range adds another one.
+/// A function counts as zero throughout if its range is within this many errors of zero: its
+/// polynomial is within one error of zero, and its range adds another one.
 constexpr double kZeroInErrors = 2.0;
 } // namespace
 
-/// Looks for the strips along s.
+/// Searches for the strips along s.
 class ClippedSquare::Search
 {
 public:
@@ -41,7 +42,7 @@ public:
     {
       return false;
     }
-    // Neighbours that are alike are one.
+    // Joins neighbours of the same kind.
     std::vector<Stretch> runs;
     for (const Stretch& stretch : Stretches)
     {
@@ -112,7 +113,7 @@ private:
 
   bool AddStrip(const Stretch& run, ClippedSquare& found) const
   {
-    // Multiples of kNarrowestStretch: none of this rounds.
+    // All ends are multiples of kNarrowestStretch, so that nothing is rounded.
     const double half = 0.5 * (run.to - run.from);
     ChebyshevModel s(0.5 * (run.from + run.to));
     s.c[ChebyshevModel::Index(1, 0)] = half;
@@ -175,7 +176,7 @@ std::optional<ClippedSquare> ClippedSquare::Of(std::span<const ChebyshevModel> f
       found.Whole = false;
       return found;
     }
-    // Where the whole surface lies in the rim, up to rounding, it is in.
+    // Where the whole surface lies in the rim, up to rounding, it counts as inside.
     if (range.upper > 0.0 && range.Magnitude() > kZeroInErrors * f.error)
     {
       mixed.push_back(f);
@@ -231,7 +232,7 @@ Interval ClippedSquare::Integral(const ChebyshevModel& density) const
   {
     sum += (Composed(f, strip.s, strip.t) * strip.area).Integral();
   }
-  // Chebyshev's polynomials are less than 1.1 as far beyond the square as limits may be.
+  // Chebyshev polynomials are below 1.1 as far outside the square as limits may lie.
   const double missed = Up(Unknown * (1.1 * density.Norm() + density.error));
   return sum + Interval(-missed, missed);
 }

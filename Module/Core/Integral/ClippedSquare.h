@@ -11,26 +11,26 @@
 namespace pixelexact
 {
 /// The part of the square (s, t) in [-1,1]^2 in which some functions are not positive, as strips
-/// between limits that are functions of one of the variables. What is not known of the part, or is
-/// so by less than rounding, is an area that integrals' errors include.
+/// between limits that are functions of one of the variables. Places that are not classified, or by
+/// less than rounding, have an area that the integrals' errors include.
 class ClippedSquare
 {
 public:
   /// The whole square.
   ClippedSquare() = default;
-  /// Nothing where a function has a rim in the square and is proven monotone along neither
-  /// variable, or where rims cross: halve the square.
+  /// None where a function has a rim in the square and is proven monotone along neither variable,
+  /// or where rims cross: subdivide the square.
   static std::optional<ClippedSquare> Of(std::span<const ChebyshevModel> functions);
 
   [[nodiscard]] bool IsEmpty() const { return !Whole && Strips.empty() && Unknown == 0.0; }
-  /// About what part of the square it is, 0 to 1.
+  /// About the fraction of the square that the part covers, 0 to 1.
   [[nodiscard]] double Part() const;
-  /// Over the part.
+  /// The integral over the part.
   [[nodiscard]] Interval Integral(const ChebyshevModel& density) const;
 
 private:
   using Powers = std::array<ChebyshevModel, ChebyshevModel::kDegree + 1>;
-  /// Between two functions of s, with variables of its own in [-1,1]^2.
+  /// A strip between two functions of s, with variables of its own in [-1,1]^2.
   struct Strip
   {
     Powers s; ///< Chebyshev's polynomials of the square's variables

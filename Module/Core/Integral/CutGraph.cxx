@@ -13,15 +13,16 @@ namespace pixelexact
 {
 namespace
 {
-/// A box that gets narrower by less is not worth new polynomials.
+/// A box is clipped only if its width falls below this fraction; otherwise new polynomials cost
+/// more than they gain.
 constexpr double kWorthClipping = 0.8;
-/// Clipped ends lie beyond what they hold by this part of the width: the surface then crosses them
-/// nowhere, and no limit is made of them.
+/// Clipped ends lie outside the surface by this fraction of the width, so that the surface does not
+/// cross them and they are no limits.
 constexpr double kRoom = 0.05;
-/// Boxes are not clipped to less than this, in the piece's units.
+/// Boxes are not clipped below this width, in the piece's units.
 constexpr double kNarrowestClip = 0x1p-34;
 constexpr int kClippings = 4;
-/// What strips are wider than the roots in them, in parts of the box.
+/// Strips exceed the roots in them by this fraction of the box.
 constexpr double kStrip = 0x1p-40;
 
 double At(const PieceBox& box, int direction, double s)
@@ -32,8 +33,8 @@ double At(const PieceBox& box, int direction, double s)
     : box.lower[direction] + 0.5 * (s + 1.0) * (box.upper[direction] - box.lower[direction]);
 }
 
-/// The part of [-1, 1] along each direction outside of which an affine enclosure has no zero;
-/// false: there is none at all.
+/// Finds the part of [-1, 1] along each direction outside of which an affine enclosure has no zero.
+/// Returns false where it has none in the box.
 bool Clip(const AffineForm& f, Vec3& from, Vec3& to)
 {
   double all = 0.0;
@@ -69,7 +70,7 @@ bool Clip(const AffineForm& f, Vec3& from, Vec3& to)
   return true;
 }
 
-/// Sign of a function: of those numbers that are not within the tolerance of zero.
+/// The sign of a function's values that are not within the tolerance of zero.
 enum class Sign : std::uint8_t
 {
   Negative,
@@ -79,14 +80,14 @@ enum class Sign : std::uint8_t
 };
 Sign SignOf(const Interval& hull, double tolerance)
 {
-  // Without a tolerance, zero is neither.
+  // Without a tolerance, zero has neither sign.
   const bool notPositive = tolerance > 0.0 ? hull.upper <= tolerance : hull.upper < 0.0;
   const bool notNegative = tolerance > 0.0 ? hull.lower >= -tolerance : hull.lower > 0.0;
   return notPositive ? (notNegative ? Sign::Zero : Sign::Negative)
                      : (notNegative ? Sign::Positive : Sign::Mixed);
 }
 
-/// Where the graph crosses an end of its direction: phi >= 0 is inside.
+/// A crossing of the graph with an end of its direction: phi >= 0 is inside.
 struct Crossing2
 {
   BoxPolynomial phi;
@@ -163,7 +164,7 @@ private:
     return Functions.IsOnCube(Found.box, direction, upper) ? Tolerance : 0.0;
   }
 
-  /// The ends along c that the graph may cross; none: there is no graph.
+  /// The ends along c that the graph may cross; none where there is no graph.
   [[nodiscard]] std::optional<std::vector<Crossing2>> Crossed(int c, double sign) const
   {
     std::vector<Crossing2> crossed;
@@ -185,7 +186,7 @@ private:
     return crossed;
   }
 
-  /// An edge of an end of c, along a, and what its sign is where it has one.
+  /// An edge of an end of c, along a, with its sign where it has one.
   struct Edge
   {
     BoxPolynomial phi;
@@ -193,7 +194,8 @@ private:
     std::vector<Interval> roots; ///< of a, in [-1, 1]
   };
 
-  /// Whether along b all crossed ends are crossed once, or not; then finds the graphs.
+  /// Returns whether each crossed end is proven to be crossed once along b; if so, finds the
+  /// graphs.
   bool Split(const std::array<int, 3>& axes, const std::vector<Crossing2>& crossed)
   {
     const auto [a, b, c] = axes;
@@ -216,7 +218,7 @@ private:
         edge.sign = SignOf(edge.phi.Hull(), ToleranceAt(b, upper));
         if (edge.sign == Sign::Zero)
         {
-          // What it is next to the edge, in the box.
+          // Takes the sign in the box next to the edge.
           edge.sign = (sense.back() > 0.0) != upper ? Sign::Positive : Sign::Negative;
         }
         if (edge.sign == Sign::Mixed && !FindRoots(a, edge, changes))
@@ -268,7 +270,7 @@ private:
     return part;
   }
 
-  /// The sign of an edge at a place that is away from its roots.
+  /// The sign of an edge at a place away from its roots.
   static Sign SignAt(const Edge& edge, int a, double s)
   {
     if (edge.sign != Sign::Mixed)
@@ -305,7 +307,7 @@ private:
     return true;
   }
 
-  /// False where they are not all known.
+  /// Returns false where not all roots are known.
   static bool FindRoots(int a, Edge& edge, std::vector<Interval>& changes)
   {
     const TensorPolynomial line{ { edge.phi.degree[static_cast<std::size_t>(a)], 0, 0 }, edge.phi.b,
@@ -378,7 +380,7 @@ CutInBox LookAtCut(ElementFunctions& functions, const PieceBox& box, double tole
     isOnCube =
       isOnCube || functions.IsOnCube(found.box, d, false) || functions.IsOnCube(found.box, d, true);
   }
-  // The box's own tolerance, where that is less.
+  // Uses the box's own tolerance if it is smaller.
   GraphSearch(functions, cut,
     isOnCube ? std::min(tolerance, CutTolerance(functions, found.box)) : tolerance, found)
     .Search(affine);

@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// Where a graph ends along a direction: at the box's end, or where it leaves the box through the
-/// lower or upper end of the graph's own direction.
+/// The end of a graph along a direction: the box's end, or the place where the graph leaves the box
+/// through the lower or upper end of its own direction.
 enum class GraphLimit : std::uint8_t
 {
   BoxEnd,
@@ -28,23 +28,24 @@ struct CutGraph
   GraphLimit high = GraphLimit::BoxEnd;
 };
 
-/// What is proven of the cut-surface in a box.
+/// The proven geometry of the cut-surface in a box.
 struct CutInBox
 {
-  /// All of the surface in the box that was given lies in this one.
+  /// Holds all of the surface in the given box.
   PieceBox box;
   bool empty = false;
-  /// All of the surface is in these graphs and `rest`. Else nothing is known.
+  /// All of the surface is in these graphs and `rest`. Otherwise the surface in the box is unknown.
   bool decided = false;
   std::vector<CutGraph> graphs;
-  /// Thin strips about places where the limits change their kind: where the surface is in them, it
-  /// is a graph of some of the box's (a, b), too.
+  /// Thin strips about places where the limits change their kind. Where the surface is in a strip,
+  /// it is also a graph over some of the box's (a, b).
   std::vector<CutGraph> rest;
 };
 
-/// Looks at a box: after R. Saye, High-order quadrature methods for implicitly defined surfaces and
-/// volumes in hyperrectangles, SIAM J. Sci. Comput. 37, 2015, whose heuristics are proofs here, by
-/// hulls of Bernstein coefficients. `tolerance`: of the cut's polynomial; on faces of the element
-/// smaller values count as zero, so that a surface through an edge or a vertex ends there.
+/// Finds the graphs in a box, after R. Saye, High-order quadrature methods for implicitly defined
+/// surfaces and volumes in hyperrectangles, SIAM J. Sci. Comput. 37, 2015. Hulls of Bernstein
+/// coefficients replace that paper's heuristics by proofs. `tolerance`: of the cut's polynomial; on
+/// faces of the element smaller values count as zero, so that a surface through an edge or a vertex
+/// ends there.
 CutInBox LookAtCut(ElementFunctions& functions, const PieceBox& box, double tolerance);
 } // namespace pixelexact

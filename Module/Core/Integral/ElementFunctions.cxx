@@ -19,7 +19,8 @@ namespace
 // Numbers of functions.
 constexpr std::size_t kSlopes = 3;
 constexpr std::size_t kValues = 12;
-/// Of the field that the cut-surface is made of: a component's values and derivatives.
+/// The number of functions per component of the field that defines the cut-surface: its value and
+/// derivatives.
 constexpr std::size_t kOfComponent = 4;
 
 BoxPolynomial Restricted(const BoxPolynomial& over, const PieceBox& box)
@@ -201,8 +202,8 @@ BoxPolynomial ElementFunctions::Slope(const PieceBox& box, int component, int xi
   return Restricted(Over(box.piece, kSlopes + static_cast<std::size_t>(3 * component + xi)), box);
 }
 
-/// Interpolates a function without coefficients at some points of the box, and estimates from
-/// others how far the polynomial is off.
+/// Interpolates a function without coefficients at some points of the box, and estimates the
+/// polynomial's error from other points.
 BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component) const
 {
   constexpr int kDegree = 6;

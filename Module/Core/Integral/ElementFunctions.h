@@ -14,20 +14,20 @@ namespace pixelexact
 {
 class IntegralCut;
 
-/// What is integrated. The views must outlive whoever holds it.
+/// The field, the surface and the clips of an integral. The views must outlive the object.
 struct IntegralQuestion
 {
   Mesh mesh;
   const Field* field = nullptr;     ///< null: the area alone
   const IntegralCut* cut = nullptr; ///< null: faces of elements
-  /// What of the surface counts: where none of these is positive.
+  /// The surface counts only where none of these polynomials is positive.
   std::span<const ImplicitPolynomial> clips{};
-  /// All of what counts is in this box; nothing: it may be anywhere.
+  /// A box that holds the part of the surface that counts; none where it is unbounded.
   std::optional<Box3> within{};
 
   [[nodiscard]] int Components() const { return field != nullptr ? field->values.components : 0; }
   [[nodiscard]] bool HasFlux() const { return Components() == 3; }
-  /// The area, the components' integrals, the flux.
+  /// The number of integrals: the area, the components, and the flux.
   [[nodiscard]] std::size_t Quantities() const
   {
     return 1 + static_cast<std::size_t>(Components()) + (HasFlux() ? 1 : 0);
@@ -42,7 +42,7 @@ struct PieceBox
   Vec3 upper{ 1.0 };
 };
 
-/// The polynomials in eta that integrals over a cut of one element are made of, over boxes.
+/// The polynomials in eta over boxes that integrals over a cut of one element need.
 class ElementFunctions
 {
 public:
@@ -52,10 +52,10 @@ public:
   [[nodiscard]] bool IsFinite() const { return Finite; }
   /// Whether the field's coefficients are all zero.
   [[nodiscard]] bool IsZeroField() const;
-  /// The polynomial of the cut-surface, or of what clips it, has a degree that is not taken.
+  /// Whether the polynomial of the cut-surface or of a clip exceeds the supported degree.
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
-  /// The cube is cut into 2^Level() pieces along each direction.
+  /// The cube has 2^Level() pieces along each direction.
   [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] std::vector<PieceBox> Pieces() const;
   /// Whether the end of a box is in a face of the cube.
@@ -64,28 +64,28 @@ public:
   [[nodiscard]] Interval Middle(const PieceBox& box, int direction) const;
   [[nodiscard]] Interval HalfWidth(const PieceBox& box, int direction) const;
 
-  /// unit times the cut-surface's function.
+  /// Unit() times the cut-surface's function.
   BoxPolynomial Cut(const PieceBox& box);
   [[nodiscard]] double Unit() const { return unit_; }
-  /// The map, in its modes' units: x = centre + Radius() y.
+  /// A component of the map, in its modes' units: x = centre + Radius() y.
   BoxPolynomial Map3(const PieceBox& box, int component);
   [[nodiscard]] double Radius() const { return radius_; }
-  /// Its derivative by a xi.
+  /// The derivative of a component of the map by a xi.
   BoxPolynomial Slope(const PieceBox& box, int component, int xi);
   /// A component of the field's own values, over 2^FieldExponent(). A function without coefficients
-  /// is interpolated in `places`, the part of the box that counts: the error is an estimate.
+  /// is interpolated in `places`, the part of the box that counts; its error is an estimate.
   BoxPolynomial Values(const PieceBox& box, int component, const PieceBox& places);
   [[nodiscard]] int FieldExponent() const;
 
-  /// Of z = x - origin where y is zero.
+  /// The value of z = x - origin where y is zero.
   [[nodiscard]] Interval Shift(const Vec3& origin, int component) const;
 
-  /// What clips the surface: some factor times it.
+  /// A clip's polynomial times some positive factor.
   BoxPolynomial Clip(const PieceBox& box, std::size_t clip);
-  /// A polynomial of the place.
+  /// The polynomial `surface` of the place x over a box.
   [[nodiscard]] ScaledPolynomial Over(const ImplicitPolynomial& surface, const PieceBox& box);
 
-  /// A component of the field that the cut-surface is made of, over 2^CutExponent(), and its
+  /// A component of the field that defines the cut-surface, over 2^CutExponent(), and its
   /// derivative by a xi.
   BoxPolynomial CutValues(const PieceBox& box, int component);
   BoxPolynomial CutSlope(const PieceBox& box, int component, int xi);
@@ -96,7 +96,7 @@ public:
 
 private:
   [[nodiscard]] BoxPolynomial SampledValues(const PieceBox& box, int component) const;
-  /// Over a whole piece; made when first asked for, for one piece at a time.
+  /// A function over a whole piece, computed on first use and kept for one piece at a time.
   const BoxPolynomial& Over(const PieceForm::Piece& piece, std::size_t function);
 
   IntegralQuestion question_;

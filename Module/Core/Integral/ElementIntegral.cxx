@@ -13,16 +13,18 @@ namespace pixelexact
 {
 namespace
 {
-/// Where boxes are halved: not in the middle, where surfaces of meshes made by people lie.
+/// Boxes are divided at this fraction, not in the middle, where the surfaces of generated meshes
+/// lie.
 constexpr double kDivision = 0.486328125;
-/// Boxes are not halved below this width, in the piece's units.
+/// Boxes are not subdivided below this width, in the piece's units.
 constexpr double kSmallestBox = 0x1p-40;
 
-/// Of the magnitude: an integral over a box that is off by less is off by rounding.
+/// An integral over a box with a relative error below this is exact up to rounding.
 constexpr double kRounding = 4e-12;
-/// Children that are together not narrower than this part of the whole show no gain, and after so
-/// many subdivisions in a row without one, rounding is what is left. What halving takes from errors
-/// that it does take from is a half or more, but it may be the wrong direction a time or two.
+/// Children that are together wider than this fraction of their parent show no gain. After kStalls
+/// subdivisions in a row without gain, only rounding remains. A subdivision along the right
+/// direction removes at least half of a reducible error, but the direction may be wrong once or
+/// twice.
 constexpr double kNoGain = 0.75;
 constexpr int kStalls = 3;
 
@@ -38,7 +40,7 @@ bool IsRounding(const Sums& sums, const std::vector<double>& magnitudes)
   return true;
 }
 
-/// Along which direction a box's image is longest.
+/// The direction along which a box's image is longest.
 int LongestSide(ElementFunctions& functions, const PieceBox& box)
 {
   int longest = -1;
@@ -65,9 +67,9 @@ int LongestSide(ElementFunctions& functions, const PieceBox& box)
   return longest;
 }
 
-/// Along which direction the cut's first derivatives vary most, of several the longest one: halved
-/// there, it is the soonest a graph. -1: they vary by no more than their errors, or the box is too
-/// small.
+/// The direction along which the cut's first derivatives vary most, the longest of several:
+/// subdivided there, the cut becomes a graph soonest. -1: they vary by no more than their errors,
+/// or the box is too small.
 int MostBentSide(ElementFunctions& functions, const PieceBox& box)
 {
   const BoxPolynomial cut = functions.Cut(box);
@@ -124,8 +126,8 @@ double CutTolerance(ElementFunctions& functions, const PieceBox& box)
 namespace
 {
 /// Whether `sign` times the cut's function is nowhere below zero by more than its tolerance, where
-/// that is so of the piece as a whole: the tolerance falls with the function's gradient, so that a
-/// vertex may hold a surface that is small beside the piece's tolerance.
+/// this holds for the piece as a whole. The tolerance falls with the function's gradient, so that a
+/// vertex may hold a surface that is small compared with the piece's tolerance.
 bool IsOnSide(ElementFunctions& functions, const PieceBox& piece, double sign)
 {
   constexpr std::size_t kMaxBoxes = 128;
@@ -349,8 +351,9 @@ bool ElementIntegral::Refine(
     return true;
   }
   ElementFunctions functions(Question, Element);
-  std::vector<std::pair<double, std::size_t>> heap; // of parts that can be halved
-  // Of all parts together, or more: the unbounded ones and the sum of the others.
+  std::vector<std::pair<double, std::size_t>> heap; // of parts that can be subdivided
+  // The error of all parts together, or an upper bound: the number of unbounded ones and the sum of
+  // the others.
   int unbounded = 0;
   double known = 0.0;
   const auto count = [&](double bad, int sign)

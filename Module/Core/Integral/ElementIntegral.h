@@ -9,8 +9,8 @@
 
 namespace pixelexact
 {
-/// The integrals over what of a cut-surface is in one element: boxes, each with what is known of
-/// it, of which the worst are halved.
+/// The integrals over the part of a cut-surface in one element, as sums over boxes with enclosures.
+/// Refine subdivides the boxes with the largest errors.
 class ElementIntegral
 {
 public:
@@ -18,18 +18,20 @@ public:
   ~ElementIntegral();
   ElementIntegral(ElementIntegral&&) noexcept;
 
-  /// The integrals by quantity, and about those of the magnitudes.
+  /// The integrals by quantity, and estimates of the integrals of their magnitudes.
   [[nodiscard]] Sums Total() const;
   [[nodiscard]] std::vector<double> Magnitudes() const;
-  /// At most so much area is in boxes in which nothing is known of the surface.
+  /// Bounds the area in boxes in which the surface is unknown.
   [[nodiscard]] double Unresolved() const;
   [[nodiscard]] std::int64_t Boxes() const { return Looked; }
-  /// Boxes that are not subdivided any further: rounding is what is left of their widths.
+  /// The number of boxes that are not subdivided any further, because only rounding remains of
+  /// their widths.
   [[nodiscard]] std::int64_t Rounded() const;
   [[nodiscard]] bool IsEmpty() const { return Parts.empty(); }
 
-  /// Children boxes until all quantities' widths are within what is allowed, `boxes` more have been
-  /// looked at, or `stop` says so; it is asked after each box. False where it could not be met.
+  /// Subdivides boxes until all quantities' widths are at most `allowed`, `boxes` more have been
+  /// visited, or `stop` returns true; it is called after each box. Returns false where the widths
+  /// were not reached.
   bool Refine(
     const std::vector<double>& allowed, std::int64_t boxes, const std::function<bool()>& stop);
 
@@ -39,15 +41,15 @@ private:
     PieceBox box;
     Sums sums;
     std::vector<double> magnitudes; ///< about the integrals of the magnitudes; 0 where unknown
-    int direction = -1;             ///< to be halved along; -1: too small
+    int direction = -1;             ///< of the subdivision; -1: too small
     bool resolved = false;
     int stalled = 0; ///< subdivisions in a row that gained nothing
   };
   void Look(ElementFunctions& functions, const PieceBox& box);
-  /// `direction`: as Part's.
+  /// `direction`: as in Part.
   void AddUnresolved(ElementFunctions& functions, const PieceBox& box, int direction);
-  /// Ends the subdivision of the parts from `first` on, the children of a part of this width, where
-  /// it gains nothing.
+  /// Stops the subdivision of the parts from `first` on, the children of a part of this width,
+  /// where it gains nothing.
   void NoteGain(std::size_t first, int stalled, double before, double after);
 
   IntegralQuestion Question;
@@ -57,7 +59,7 @@ private:
   std::int64_t Looked = 0;
 };
 
-/// Why there is no integral over an element.
+/// The reason why there is no integral over an element.
 enum class ElementProblem : std::uint8_t
 {
   None,
@@ -67,8 +69,8 @@ enum class ElementProblem : std::uint8_t
 };
 
 /// Whether the surface may be in an element, and which of its faces lie in it, within the mesh's
-/// uncertainty and rounding: bit k, face k of FacesOf. An element on one side of the surface, up to
-/// that, is met in its faces alone.
+/// uncertainty and rounding: bit k, face k of FacesOf. An element that is on one side of the
+/// surface, within the same bounds, meets it in faces alone.
 struct ElementMeeting
 {
   ElementProblem problem = ElementProblem::None;
@@ -78,6 +80,7 @@ struct ElementMeeting
 };
 ElementMeeting MeetingOf(ElementFunctions& functions);
 
-/// Of the cut's polynomial, scaled as it is: what the map's uncertainty and rounding make of zero.
+/// The largest magnitude of the cut's polynomial, as scaled, that counts as zero: the effect of the
+/// map's uncertainty and of rounding.
 double CutTolerance(ElementFunctions& functions, const PieceBox& box);
 } // namespace pixelexact

@@ -11,7 +11,7 @@ namespace pixelexact
 {
 namespace
 {
-/// A box is not halved below this width, in the piece's units.
+/// Boxes are not subdivided below this width, in the piece's units.
 constexpr double kSmallestFaceBox = 0x1p-30;
 
 struct FacePart
@@ -22,7 +22,7 @@ struct FacePart
   int direction = -1;
 };
 
-/// Adds how much a model varies along each variable.
+/// Adds a model's variation along each variable.
 void AddVariation(const ChebyshevModel& model, std::array<double, 2>& along)
 {
   for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
@@ -66,7 +66,7 @@ public:
   FacePart Look(const PieceBox& box)
   {
     const IntegralQuestion& question = Functions.Question();
-    // The whole thickness of the piece, seen at its end.
+    // The box takes the piece's whole thickness, for the model at its end.
     PieceBox thick = box;
     thick.lower[Face.direction] = -1.0;
     thick.upper[Face.direction] = 1.0;
@@ -99,7 +99,7 @@ public:
     const ChebyshevModel square = Dot(normal, normal);
     ChebyshevModel length = SquareRoot(square);
     std::array<double, 2> rough{ 0.0, 0.0 };
-    // At a collapsed edge the normal vanishes: its length is not smooth, but small.
+    // At a collapsed edge the normal vanishes. Its length is small there, but not smooth.
     const bool vanishes = !std::isfinite(length.error);
     if (vanishes)
     {
@@ -114,7 +114,7 @@ public:
         AddRoughness(density, rough);
       }
       part.sums[q] = (clipped ? clipped->Integral(density) : PartOf(density)) * scale;
-      // Where nothing is known, half of it may be in.
+      // Where the clips are undecided, half of the part is assumed to count.
       const double share = clipped ? clipped->Part() : 0.5;
       const double magnitude = 4.0 * share * density.Norm() * scale.Magnitude();
       part.magnitudes[q] = std::isfinite(magnitude) ? magnitude : 0.0;
@@ -145,7 +145,7 @@ public:
     }
     if (question.HasFlux())
     {
-      // det J > 0: the product of the tangents points outwards.
+      // Since det J > 0, the product of the tangents points outwards.
       const ChebyshevModel flux = Dot({ values[0], values[1], values[2] }, normal) * collapse;
       add(part.sums.size() - 1, flux, scale);
     }
@@ -154,7 +154,7 @@ public:
   }
 
 private:
-  /// Over any part of the square.
+  /// Encloses the integral over any part of the square.
   static Interval PartOf(const ChebyshevModel& density)
   {
     const Interval range = density.TightRange();
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  /// Where it is to be halved; -1: it is too small.
+  /// The direction of the subdivision; -1: the part is too small.
   [[nodiscard]] int Roughest(const FacePart& part, const std::array<double, 2>& rough,
     const PieceBox& box, bool widest) const
   {

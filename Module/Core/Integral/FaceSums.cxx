@@ -13,9 +13,9 @@ namespace pixelexact
 {
 namespace
 {
-/// How often what is allowed is told anew.
+/// The number of rounds, each with widths from the magnitudes of the round before.
 constexpr int kRounds = 4;
-/// Of a face: what it is made of is smooth.
+/// Boxes per face. Integrands on a face are smooth.
 constexpr std::int64_t kFaceBoxes = 4096;
 } // namespace
 

@@ -13,12 +13,12 @@ namespace pixelexact
 namespace
 {
 constexpr int kRootSteps = 16;
-/// Of them, those that correct the slope's inverse.
+/// The number of these steps that also correct the slope's inverse.
 constexpr int kSlopeSteps = 3;
 
 /// The root x(s, t) of f along one of its variables, proven to be in the box, from a first guess.
-/// `place` puts the variable where f is asked for. `slope` is f's derivative by the box's own
-/// [0, 1].
+/// `place` returns the models of the place for a value of the variable. `slope` is f's derivative
+/// by the box's own [0, 1].
 template <class Place>
 std::optional<ChebyshevModel> Solve(
   const BoxModel& f, const BoxModel& slope, ChebyshevModel x, const Place& place)
@@ -57,12 +57,12 @@ std::optional<ChebyshevModel> Solve(
   {
     return std::nullopt;
   }
-  // By [-1, 1] the slope is half of what it is by [0, 1].
+  // The slope by [-1, 1] is half of that by [0, 1].
   x.error = at.Of(f).Range().Magnitude() / (0.5 * least) * (1.0 + 0x1p-40) + 0x1p-1000;
   return x.TightRange().Magnitude() <= BoxModel::kReach ? std::optional(x) : std::nullopt;
 }
 
-/// Where an affine form vanishes along a direction, of the other ones as models.
+/// The zero of an affine form along one variable, as a function of the models of the other ones.
 ChebyshevModel RootOf(const AffineForm& f, const std::array<int, 3>& axes, std::size_t variable,
   const std::array<ChebyshevModel, 3>& others)
 {
@@ -135,9 +135,9 @@ public:
   }
 
 private:
-  /// Widens det J so that, times the sign that is returned, it holds |det J|. Where it may have
-  /// either sign by more than rounding (at a collapsed edge it vanishes), only integrals that |det
-  /// J| is a factor of are known: those of others get an infinite error.
+  /// Widens det J so that, times the returned sign, it holds |det J|. Where det J may have either
+  /// sign by more than rounding (at a collapsed edge it vanishes), only integrals with the factor
+  /// |det J| are known; others get an infinite error.
   double TakeMagnitude(ChebyshevModel& determinant) const
   {
     const Interval range = determinant.TightRange();
@@ -154,7 +154,7 @@ private:
     return sign;
   }
 
-  /// b at an end of the graph.
+  /// The model of b at an end of the graph.
   std::optional<ChebyshevModel> Limit(const BoxPolynomial& cut, GraphLimit limit, double end)
   {
     if (limit == GraphLimit::BoxEnd)
@@ -186,8 +186,7 @@ private:
     }
   }
 
-  /// The field over the surface, times what its mapping has as unit, in which det J is left out or
-  /// not.
+  /// The field over the surface, times the unit of its mapping, with or without the factor det J.
   static WeighedField FieldOf(const SurfaceModels& models, Mapping mapping, bool withDeterminant)
   {
     if (!withDeterminant && mapping == Mapping::Identity)
@@ -216,7 +215,7 @@ private:
     const ChebyshevModel length = cut.constant
       ? ChebyshevModel(Length({ gradient[0].Range(), gradient[1].Range(), gradient[2].Range() }))
       : SquareRoot(Dot(gradient, gradient));
-    // Widths in eta; derivatives of the cut are by [0, 1].
+    // Widths are in eta; derivatives of the cut are by [0, 1].
     Interval volume = Interval(Functions.Unit());
     for (int d = 0; d < 3; ++d)
     {
@@ -226,7 +225,7 @@ private:
     const auto power = [radius](int n) { return Interval(std::pow(radius, n)); };
     volume *= Interval(2.0);
     GraphSums result{ .sums = Sums(question.Quantities()), .magnitudes = {}, .roughest = 0 };
-    // Of |det J|, what the gradient does not have yet.
+    // The power of the radius from |det J| that the gradient does not contain.
     const int left = cut.timesDeterminant ? 2 : 0;
     const ChebyshevModel lengthWeight = length * weight;
     const ChebyshevModel area =
@@ -242,7 +241,7 @@ private:
     {
       AddRoughness(density, rough);
       result.sums[q] = part.Integral(density) * unit;
-      // That of a model of degree 0 is four times its value.
+      // The integral of a model of degree 0 is four times its value.
       result.magnitudes[q] = 4.0 * share * density.Norm() * unit.Magnitude();
     };
     add(0, area, volume * power(cut.timesDeterminant ? 2 : 3));

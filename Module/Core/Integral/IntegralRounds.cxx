@@ -8,9 +8,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Where a field vanishes.
+/// Smaller magnitudes belong to a field that vanishes.
 constexpr double kNothing = 1e-280;
-/// Of the tolerance: what parts share, so that the sum is well within it.
+/// The fraction of the tolerance that the parts share, so that the sum is well within it.
 constexpr double kShared = 0.4;
 } // namespace
 
@@ -52,7 +52,7 @@ std::vector<double> Rounds::Allowed(double tolerance, std::size_t count) const
   for (std::size_t q = 0; q < Magnitudes.size(); ++q)
   {
     const double magnitude = q == 0 ? Magnitudes[0] : ofField;
-    // Widths are twice what the middle is off.
+    // A width is twice the error of the middle.
     allowed.push_back(
       std::max(2.0 * tolerance * magnitude / static_cast<double>(std::max<std::size_t>(count, 1)),
         kNothing));

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// When the time is over.
+/// A limit of time.
 class Deadline
 {
 public:
@@ -22,11 +22,11 @@ private:
   std::optional<Clock::time_point> End;
 };
 
-/// Whether all widths are within what is allowed.
+/// Whether all widths are at most `allowed`.
 bool IsWithin(const Sums& sums, const std::vector<double>& allowed);
 
-/// What several parts that are integrated to a common tolerance have to meet. All integrals of a
-/// field are measured by the largest one: a component may vanish.
+/// The allowed errors of parts that are integrated to a common tolerance. They are relative to the
+/// largest integral of a field's components, because a component may vanish.
 class Rounds
 {
 public:
@@ -36,7 +36,7 @@ public:
   {
   }
 
-  /// What each of so many parts may be wide, that together they are within some of what is allowed.
+  /// The largest allowed width of each of `count` parts, so that their sum is within the tolerance.
   [[nodiscard]] std::vector<double> Share(std::size_t count) const;
   [[nodiscard]] bool IsMet(const Sums& total) const;
 

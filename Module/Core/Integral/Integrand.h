@@ -12,11 +12,11 @@
 namespace pixelexact
 {
 /// The map's Jacobian and the field over a parametrised surface in an element, as models. Units are
-/// those of the modes: x = centre + radius y, u = 2^FieldExponent() times what is here.
+/// those of the modes: x = centre + radius y, u = 2^FieldExponent() times these values.
 struct SurfaceModels
 {
-  /// `axes`: as PointedModels' a, b and c. `places`: the part of the box where `place` is, in which
-  /// a function without coefficients is interpolated.
+  /// `axes`: the directions of a, b and c in PointedModels. `places`: the part of the box that
+  /// holds `place`, in which a function without coefficients is interpolated.
   SurfaceModels(ElementFunctions& functions, const PieceBox& box, const std::array<int, 3>& axes,
     const PointedModels& place, const PieceBox& places);
 
@@ -29,8 +29,8 @@ struct SurfaceModels
 std::array<ChebyshevModel, 3> Cofactors(
   const std::array<std::array<ChebyshevModel, 3>, 3>& matrix, std::size_t row);
 
-/// The determinant times the field's world values, which of all mappings has no quotients, times
-/// radius^power.
+/// The determinant times the field's world values, times radius^power. For no mapping does it
+/// contain a quotient.
 struct WeighedField
 {
   std::vector<ChebyshevModel> values;
@@ -43,21 +43,21 @@ ChebyshevModel Dot(const std::array<ChebyshevModel, 3>& a, const std::array<Cheb
 /// eta along the directions a, b, c.
 std::array<ChebyshevModel, 3> EtaModels(const ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const ChebyshevModel& b, const ChebyshevModel& c);
-/// z = x - origin there.
+/// The models of z = x - origin.
 std::array<ChebyshevModel, 3> PlaceModels(ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const PointedModels& place, const Vec3& origin);
-/// The part of (s, t) that the question's clips leave; nothing where it is not known on so large a
-/// box.
+/// The part of (s, t) that the question's clips leave. None where it cannot be classified on so
+/// large a box.
 std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const PointedModels& place);
-/// Whether the clips leave nothing of a box.
+/// Whether the clips remove all of a box.
 bool IsClippedOff(ElementFunctions& functions, const PieceBox& box);
 /// (1 - eta) / 2.
 ChebyshevModel Collapse(const ChebyshevModel& eta);
 
-/// What an integral over a part of a surface is known to be, by quantity.
+/// Enclosures of the integrals over a part of a surface, by quantity.
 using Sums = std::vector<Interval>;
 void AddTo(Sums& sums, const Sums& more);
-/// Where the field is zero, exactly, so are the integrals of it.
+/// Sets the integrals of a field that is exactly zero to zero.
 void DropZeroField(const ElementFunctions& functions, Sums& sums);
 } // namespace pixelexact

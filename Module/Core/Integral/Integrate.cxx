@@ -21,10 +21,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes of an element before anything is known of the others.
+/// Boxes per element in the first round.
 constexpr std::int64_t kFirstBoxes = 16;
-/// How many times more they are in the next round, in which it is told anew what is allowed: time
-/// that ends early is then shared by all elements.
+/// The growth of the number of boxes per round. Each round recomputes the allowed widths, so that
+/// elements share a limited time evenly.
 constexpr std::int64_t kMoreBoxes = 3;
 
 void Check(const IntegralEffort& effort)
@@ -39,8 +39,8 @@ void Check(const IntegralEffort& effort)
   }
 }
 
-/// Functions of the place of degree n are of the size of lengths^n, and so are what integrals are
-/// made of, times lengths^3: beyond these sizes they over- or underflow.
+/// Throws where sizes would over- or underflow: functions of the place of degree n are of the size
+/// of lengths^n, and the integrals of these times lengths^3.
 void CheckSizes(const IntegralQuestion& question)
 {
   const bool isOfPlace = question.cut != nullptr && question.cut->MadeOf() == nullptr;
@@ -73,14 +73,14 @@ bool IsNumeric(const IntegralQuestion& question)
   return question.field != nullptr && question.field->function != nullptr;
 }
 
-/// Functions without coefficients may be of any kind: where no time is given, they have a minute.
+/// Functions without coefficients may be of any kind, so their default limit is a minute.
 double SecondsFor(const IntegralQuestion& question, const IntegralEffort& effort)
 {
   constexpr double kOfFunctions = 60.0;
   return IsNumeric(question) ? std::min(effort.seconds, kOfFunctions) : effort.seconds;
 }
 
-/// A face that lies in the surface and is this element's to integrate.
+/// Whether a face lies in the surface and belongs to this element's integral.
 bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
 {
   const ReferenceFace& reference = ReferenceFaceOf(mesh.ShapeOf(element), face);

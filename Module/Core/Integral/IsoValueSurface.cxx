@@ -14,9 +14,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a field's size, in roundings: what its coefficients are off.
+/// The error of the field's coefficients, in roundings of the field's size.
 constexpr double kRoundings = 128.0;
-/// Values in units of an element's modes are far beyond all of the field's from here on.
+/// Values from here on, in units of an element's modes, are far above all of the field's.
 constexpr double kBeyondValues = 1e100;
 
 /// A value in units of 2^exponent.
@@ -25,7 +25,7 @@ double Scaled(double value, int exponent)
   return std::clamp(std::ldexp(value, -exponent), -kBeyondValues, kBeyondValues);
 }
 
-/// How often a line along a direction may meet the surface in a box.
+/// Bounds how often a line along a direction meets the surface in a box.
 int MostRoots(BoxPolynomial cut, int direction)
 {
   const int degree = cut.degree[static_cast<std::size_t>(direction)];
@@ -157,7 +157,7 @@ Interval IsoValueSurface::Stretch(ElementFunctions& functions, const PieceBox& b
 
 double IsoValueSurface::AreaIn(ElementFunctions& functions, const PieceBox& box) const
 {
-  // By the box's own coordinates from 0 to 1: its faces have the area 1.
+  // In the box's own coordinates from 0 to 1, its faces have the area 1.
   const BoxPolynomial cut = functions.Cut(box);
   std::array<std::array<Interval, 3>, 3> tangent; // [direction][component]
   for (std::size_t i = 0; i < 3; ++i)

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What of a stretch of s is in, for all t of [-1, 1].
+/// Classifies a stretch of s by where the function is not positive, for all t of [-1, 1].
 enum class RimKind : std::uint8_t
 {
   AllIn,
@@ -26,27 +26,27 @@ struct RimEnds
   BoxPolynomial high;
 };
 
-/// Where a function of (s, t) in [-1,1]^2 that is monotone in t is zero: t = rim(s). In is where it
-/// is not positive.
+/// The zeros t = rim(s) of a function of (s, t) in [-1,1]^2 that is monotone in t. Inside is where
+/// the function is not positive.
 class MonotoneRim
 {
 public:
-  /// Nothing where it is not proven to be monotone.
+  /// None where the function is not proven to be monotone.
   static std::optional<MonotoneRim> Of(const ChebyshevModel& function);
 
-  /// Whether in is below the rim.
+  /// Whether the inside is below the rim.
   [[nodiscard]] bool IsUpper() const { return Sign > 0.0; }
-  /// Over all of [-1, 1].
+  /// The ends over all of [-1, 1].
   [[nodiscard]] RimEnds Ends() const;
-  /// `strip` receives how wide a part of t may be that the answer is wrong in: rims that are at an
-  /// end up to rounding count as being there.
+  /// `strip` receives the width of the part of t in which the result may be wrong: a rim at an end,
+  /// up to rounding, counts as being at the end.
   [[nodiscard]] RimKind KindOf(const RimEnds& ends, double& strip) const;
 
-  /// A function f(s, t) of s = the stretch's variable in [-1, 1], and of t as a model.
+  /// Composes a function f(s, t) with s = the stretch's variable in [-1, 1] and t as a model.
   using Composition =
     std::function<ChebyshevModel(const ChebyshevModel& f, const ChebyshevModel& t)>;
-  /// The rim over a stretch that it crosses, as a model of the stretch's variable; nothing where it
-  /// is not found.
+  /// The rim over a stretch that it crosses, as a model of the stretch's variable; none where it is
+  /// not found.
   [[nodiscard]] std::optional<ChebyshevModel> Between(
     double from, double to, const Composition& compose) const;
 
