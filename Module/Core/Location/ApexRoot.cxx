@@ -11,7 +11,8 @@ namespace pixelexact
 namespace
 {
 const Vec3 kApex(-1.0, -1.0, 1.0);
-/// There no xi is better: kMaxMiss for each of the elements that meet in it, and their rounding.
+/// The accepted miss at the apex, where no better xi exists: kMaxMiss for each of the elements that
+/// meet there, and their rounding.
 constexpr double kMaxMissAtApex = 16.0;
 
 double LargestSlack(const NodeFrame& frame)
@@ -29,7 +30,7 @@ RootCheck Check(RootChecker& checker, const Vec3& xi, const Vec3& y, double most
 
 bool IsAtApex(Shape shape, const NodeFrame& frame)
 {
-  // Rounding may be as large as a box elsewhere, where the base is collapsed.
+  // Where the base is collapsed, rounding may be as large as a box.
   constexpr double kLargest = 1e-3;
   const double depth = 1.0 - frame.box.lower.z;
   return shape == Shape::Pyramid && frame.IsAffine() &&
@@ -57,7 +58,7 @@ ApexRoot RootAtApex(
     check.holds = check.holds &&
       std::fabs(xi[d] - middle[d]) <= kBeside * frame.slack[static_cast<std::size_t>(d)];
   }
-  // No Jacobian tells directions apart at the apex itself: there the box's is as good.
+  // At the apex itself no Jacobian distinguishes directions; the box's is as good as any.
   if (!check.holds && MaxAbs(middle - kApex) <= kBeside * LargestSlack(frame))
   {
     xi = kApex;

@@ -14,8 +14,8 @@ namespace pixelexact
 {
 namespace
 {
-/// A group of points that meets more candidates than this is halved, down to a pack: a query costs
-/// about as much as testing a few hundred points.
+/// A group of points that meets more candidates than this is subdivided, down to a pack: a query
+/// costs about as much as testing a few hundred points.
 constexpr std::size_t kManyCandidates = 48;
 constexpr std::size_t kManyCandidatesOfChunk = 12;
 constexpr int kSmallChunk = 8;
@@ -90,7 +90,7 @@ void Locator::Batch::Search(std::span<PointChunk> chunks)
   }
   Work.doubtful.clear();
   Work.boxes.Fill(chunks);
-  // Elements come in ascending order and points leave when found: so the lowest element wins.
+  // Elements come in ascending order and found points leave, so the lowest element wins.
   for (const int element : elements)
   {
     SearchElement(chunks, element);
@@ -108,7 +108,7 @@ void Locator::Batch::SearchChildren(std::span<PointChunk> chunks)
   }
   else
   {
-    // Whole packs stay together.
+    // Keeps whole packs together.
     const int count = chunks[0].count;
     const int half = PaddedCount(count / 2);
     PointChunk first = Kernels.chunk(Points, chunks[0].begin, half, Index.Bounds());
@@ -132,8 +132,7 @@ void Locator::Batch::SearchElement(std::span<PointChunk> chunks, int element)
 
 int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const ElementBounds*& bounds)
 {
-  // What is known of an element is not made before a point lies in its box: mostly it is never
-  // needed.
+  // The element's bounds are computed when a point lies in its box, because most are never needed.
   if (!Index.HasBounds(element) && !AnyInBox(chunks, Index.ElementBox(element)))
   {
     return 0;
@@ -170,7 +169,7 @@ int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const Elem
       double* const selected[3] = { Work[0] + count, Work[1] + count, Work[2] + count };
       const std::uint64_t bits = Kernels.select(*bounds, Problem, Points, asked,
         (inner >> which & 1U) != 0, selected, &Work.selected[static_cast<std::size_t>(count)]);
-      // As if all were found inside, as most are; Invert opens the others again.
+      // Closes all points as if they were found inside, as most are. Invert opens the others again.
       chunk.open &= ~bits;
       count += std::popcount(bits);
     }

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// The boxes of the chunks that are searched for together.
+/// The boxes of chunks that are searched together.
 class ChunkBoxes
 {
 public:
@@ -34,7 +34,7 @@ public:
     }
   }
 
-  /// Those of chunks from `first` on, at most kGroup.
+  /// The boxes of at most kGroup chunks from `first` on.
   [[nodiscard]] BoxLanes Group(std::size_t first) const
   {
     const double* at = &Coordinates[first];
@@ -55,7 +55,7 @@ struct Locator::Batch::Scratch
   std::size_t stride = 0;
   std::vector<PointChunk> chunks;
   ChunkBoxes boxes;
-  std::vector<std::vector<int>> candidates; ///< of each depth of halving
+  std::vector<std::vector<int>> candidates; ///< by depth of subdivision
   std::size_t depth = 0;
   TreeFilter filter;
   std::array<std::uint64_t, ChunkBoxes::kGroup> kept{}; ///< by the filter, of each chunk
@@ -71,7 +71,7 @@ struct Locator::Batch::Scratch
 
   void Fit(int points)
   {
-    // Packs are stored whole beyond the last point.
+    // Packs are stored whole, beyond the last point.
     const auto needed = static_cast<std::size_t>(PaddedCount(points)) + kLanePadding;
     if (stride < needed)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a batch does with points that an element's own Newton iteration leaves in doubt.
+// Decides points that an element's own Newton iteration leaves open.
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
 
@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// Of the element's doubts, from the first one on, drops those that the filter has not tested and
-/// now excludes.
+/// Drops the element's doubts from the first one on that the filter has not tested before and now
+/// excludes.
 void Locator::Batch::DropExcluded(std::span<PointChunk> chunks, std::size_t firstDoubt)
 {
   const auto chunkOf = [&](const Doubt& doubt)
@@ -66,8 +66,8 @@ Vec3 Locator::Batch::PointAt(int index) const
   return { Points.x[0][index], Points.x[1][index], Points.x[2][index] };
 }
 
-/// The careful path, for points that no element's fast path holds. Element by element, so that
-/// what an element needs is made once.
+/// The careful path, for points that no element's fast path holds. It proceeds element by element,
+/// so that an element's data are computed once.
 void Locator::Batch::Decide(std::span<PointChunk> chunks)
 {
   auto& doubtful = Work.doubtful;
@@ -98,7 +98,7 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
   }
   const StageScope scope(Stage::Careful);
   Work.undecided.clear();
-  // Doubts were raised element by element.
+  // Doubts are in the order of elements.
   auto& group = Work.group;
   for (std::size_t begin = 0; begin < doubtful.size();)
   {
@@ -115,7 +115,7 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
           group.push_back(doubtful[begin]);
         }
       }
-      // Asked for again, so that trees are dropped when they have become large.
+      // Gets the tree once per group, so that trees are dropped when they have become large.
       DecideGroup(*Index.TreeOf(element), group, chunks);
     }
   }
@@ -123,7 +123,7 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
   {
     if (isOpen(doubt))
     {
-      // One element is reported, however many could not be excluded.
+      // Reports one element, however many could not be excluded.
       Close(doubt.index, chunks);
       ++Unknown;
       Sink.Unknown(doubt.index, doubt.element);

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Of a pack of points from `at` on, the first `count` of which are there, those inside.
+/// Finds the points inside among a pack from `at` on, of which the first `count` exist.
 HWY_INLINE std::uint64_t InsideFrom(const double* status, int at, int count)
 {
   using Traits = NumberTraits<Lanes>;
@@ -43,7 +43,7 @@ int FindAllOthers(const double* status, int count, int* others)
 int KeepAllInside(const InverseResult& result, int count, int* numbers)
 {
   const int lanes = LaneCount();
-  // Copies that no store can change.
+  // Local copies, which the compiler knows no store can change.
   const double* const status = result.status;
   const std::array<double*, 4> arrays{ result.xi[0], result.xi[1], result.xi[2], result.residual };
   const std::uint64_t whole = ~std::uint64_t{ 0 } >> static_cast<unsigned>(64 - lanes);
@@ -51,7 +51,7 @@ int KeepAllInside(const InverseResult& result, int count, int* numbers)
   for (int i = 0; i < count; i += lanes)
   {
     const std::uint64_t inside = InsideFrom(status, i, count - i);
-    // Mostly all or none of a pack are inside.
+    // All or none of a pack are usually inside.
     if (inside == 0)
     {
       continue;
@@ -67,7 +67,7 @@ int KeepAllInside(const InverseResult& result, int count, int* numbers)
       continue;
     }
     const LanesToFront front(inside);
-    // Written no farther than has been read.
+    // Writes no farther than has been read.
     for (double* const array : arrays)
     {
       Store(front(NumberTraits<Lanes>::Load(array + i)), array + kept);

@@ -3,14 +3,14 @@
 
 #include "Core/Element/Kernels.h"
 
-// What a search does with whole packs of points after the inverse map.
+// Processes whole packs of points after the inverse map.
 namespace pixelexact
 {
-/// Which of `count` are not RootInside, in ascending order; returns how many.
+/// Lists which of `count` are not RootInside, in ascending order, and returns their number.
 int FindOthers(const double* status, int count, int* others);
 
-/// Moves xi, residuals and numbers of those that are RootInside to the front, in order, and fills
-/// the result's arrays up with the last, to whole packs; returns how many. Status and margins are
-/// left as they are.
+/// Moves xi, residuals and numbers of points with RootInside to the front, in order, fills the
+/// result's arrays up with the last to whole packs, and returns their number. Status and margins
+/// stay unchanged.
 int KeepInside(const InverseResult& result, int count, int* numbers);
 } // namespace pixelexact

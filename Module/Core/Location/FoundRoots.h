@@ -11,27 +11,28 @@ namespace pixelexact
 class FoundRoots
 {
 public:
-  /// `all`: inside, more than one is wanted of a point.
+  /// `all`: keep more than one root inside per point.
   explicit FoundRoots(bool all)
     : All(all)
   {
   }
 
-  /// Takes a root, but one that is inside and does not hold, or that is known.
+  /// Adds a root, unless it is inside and does not hold, or is already known.
   void Add(std::size_t point, const InverseRoot& root, const RootCheck& check);
-  /// Takes it as it is.
+  /// Adds a root without checks.
   void Keep(std::size_t point, const InverseRoot& root, const RootCheck& check);
-  /// Whether one of the point is so near to xi that within `tolerances` of the faces' both are one.
+  /// Whether a root of the point is known so close to xi that both are one within `tolerances` of
+  /// the faces'.
   [[nodiscard]] bool IsKnown(std::size_t point, const Vec3& xi, bool inside, const RootCheck& check,
     double tolerances) const;
-  /// Whether every xi of the box is so near to one of the point that no other could be told from
-  /// it.
+  /// Whether every xi of the box is so close to a known root of the point that no other root can be
+  /// separated from it.
   [[nodiscard]] bool IsAll(const Box3& box, std::size_t point) const;
 
   [[nodiscard]] const std::vector<InverseRoot>& Of(std::size_t point) const { return Roots[point]; }
-  /// [n]: the n-th of each point.
+  /// [n]: the n-th root of each point.
   [[nodiscard]] std::span<const GroupRoots> Lanes() const { return InLanes; }
-  /// Points of which nothing more is wanted.
+  /// Points that need no further roots.
   [[nodiscard]] Bits Done() const { return WithEnough; }
 
 private:

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// A group's points: as they were given, and in the element's units.
+/// A group's points, in world coordinates and in the element's units.
 struct PointGroup
 {
   [[nodiscard]] Vec3 YOf(std::size_t point) const
@@ -21,11 +21,11 @@ struct PointGroup
   GroupLanes y;
 };
 
-/// What Newton's iteration for so many points costs (PointSearch.h: kMaxWork).
+/// The cost of Newton's iteration for `points` points, in the units of kMaxWork (PointSearch.h).
 std::int64_t NewtonCost(const Space& space, int points);
 
-/// Newton's iteration for the points in `bits`, from the frame's guesses; the roots are added to
-/// `roots`. Of which points it found one.
+/// Runs Newton's iteration for the points in `bits`, from the frame's guesses, and adds the roots
+/// to `roots`. Returns the points for which it found one.
 Bits RunNewton(const InverseProblem& problem, RootChecker& checker, const NodeFrame& frame,
   const PointGroup& group, Bits bits, FoundRoots& roots);
 } // namespace pixelexact

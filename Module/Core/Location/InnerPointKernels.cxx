@@ -9,7 +9,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Whether the guess is inside of the shape, at least `depth` from its faces.
+/// Whether the guess is inside the shape, at least `depth` from its faces.
 HWY_INLINE LaneMask IsDeep(const InverseProblem& problem, double depth, const Point<Lanes>& y)
 {
   Matrix<Lanes> frame;
@@ -44,7 +44,7 @@ std::uint64_t FindInnerPoints(const ElementBounds& bounds, const InverseProblem&
   const LanePoints& y, std::uint64_t bits)
 {
   constexpr double kPoor = 0.25;
-  // Of the largest error, which is rare.
+  // The fraction of the guess's largest error that a point must be inside; larger errors are rare.
   constexpr double kPart = 0.25;
   if (bits == 0 || !(bounds.guess.error <= kPoor))
   {

@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What Newton's iteration alone proves of a point in an element whose map is injective.
+/// The result of Newton's iteration for a point in an element whose map is injective.
 struct FastAnswer
 {
   bool decided = false;
@@ -20,7 +20,7 @@ struct FastAnswer
   Vec3 xi{ std::numeric_limits<double>::quiet_NaN() }; ///< the root, where the iteration converged
 };
 
-/// Whether some xi of the shape might map to x; false is a proof that none does.
+/// Whether some xi of the shape might map to x. False is a proof that none does.
 bool MightContain(const InverseProblem& problem, const ElementBounds& bounds, const Vec3& x)
 {
   double lanes[3][kLanePadding];
@@ -51,7 +51,7 @@ FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds,
   }
   answer.xi = { lanes[3][0], lanes[4][0], lanes[5][0] };
   answer.inside = lanes[6][0] == static_cast<double>(NewtonStatus::RootInside);
-  // The only root of the region in which the map is injective.
+  // The map is injective in this region, so the root is the only one.
   answer.decided = bounds.injectiveMargin > 0.0 && lanes[7][0] >= -bounds.injectiveMargin;
   return answer;
 }

@@ -9,9 +9,9 @@
 
 namespace pixelexact
 {
-/// What a point may cost, divided between the elements whose own Newton iteration leaves it open.
-/// Few share all of it. Of many, most need little: half is kept for those that need more, the first
-/// ones first.
+/// Work budget of a point, divided between the elements whose own Newton iteration leaves it open.
+/// Up to kFew elements share all of it. More elements share half; the other half is reserved for
+/// elements that need more, in order.
 class PointBudget
 {
 public:
@@ -21,10 +21,10 @@ public:
   {
   }
 
-  /// Of each element.
+  /// The budget of each element.
   [[nodiscard]] std::int64_t Share() const { return share_; }
-  /// What an element may cost that has used up its share, when it is asked anew; nothing where what
-  /// is left is no more than the share.
+  /// The additional budget of an element that has exhausted its share, for a second pass; 0 where
+  /// the remaining budget is no more than the share.
   std::int64_t TakeMore()
   {
     const std::int64_t more = std::min(Rest, kMaxMore);
@@ -44,7 +44,7 @@ private:
   std::int64_t Rest;
 };
 
-/// FindPreimages, each point within its budget. `points`: their `mostWork` is set here.
+/// Calls FindPreimages with the budget of each point. Sets `mostWork` of `points`.
 void FindWithin(ElementTree& tree, std::span<SoughtPoint> points,
   std::span<PointBudget* const> budgets, Wanted wanted, std::span<Preimages> answers);
 } // namespace pixelexact

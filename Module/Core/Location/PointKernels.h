@@ -5,11 +5,11 @@
 
 #include <cstdint>
 
-// What a search does with whole packs of points before the inverse map: which of them an element
-// might hold. Dispatched at run time to the instruction set.
+// Tests whole packs of points before the inverse map, to find those that an element might hold.
+// Dispatched at run time to the instruction set.
 namespace pixelexact
 {
-/// Points are looked at in chunks of at most this many, a bit each.
+/// Points are tested in chunks of at most this many, a bit each.
 inline constexpr int kChunkPoints = 64;
 
 /// Neighbouring points of a batch: `count` from `begin` on.
@@ -32,23 +32,24 @@ struct BoxLanes
 /// A bit for each box.
 struct NearChunks
 {
-  /// The element might have points in it; of all others its box or frame proves that it has none.
+  /// Boxes that may have points in the element; for all others its box or frame proves that they
+  /// have none.
   std::uint64_t near = 0;
   std::uint64_t inner = 0; ///< of those near: neither box nor frame excludes a point of it
 };
 
 struct PointKernels
 {
-  /// The chunk of points begin .. begin + count: open are those within `bounds`.
+  /// Makes the chunk of points begin .. begin + count. Its open points are those within `bounds`.
   PointChunk (*chunk)(const LanePoints& points, int begin, int count, const Box3& bounds);
-  /// Of the points in `bits`, those within the box.
+  /// Returns the points in `bits` that lie within the box.
   std::uint64_t (*inBox)(const LanePoints& points, int begin, std::uint64_t bits, const Box3& box);
   NearChunks (*near)(
     const ElementBounds& bounds, const InverseProblem& problem, const BoxLanes& boxes);
-  /// Of the chunk's open points, those that some xi of the element's shape might map to; of all
-  /// others box or frame proves that none does. Their coordinates are stored one after the other to
-  /// `selected[d]`, where a whole pack beyond the last must fit, and their numbers to `index`.
-  /// `inner`: all of them are, no test is made.
+  /// Returns the chunk's open points to which some xi of the element's shape might map; for all
+  /// others box or frame proves that none does. Stores their coordinates one after the other to
+  /// `selected[d]`, which must have space for a whole pack beyond the last, and their numbers to
+  /// `index`. `inner`: all points are returned without a test.
   std::uint64_t (*select)(const ElementBounds& bounds, const InverseProblem& problem,
     const LanePoints& points, const PointChunk& chunk, bool inner, double* const selected[3],
     int* index);

@@ -14,10 +14,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Nanoseconds of work (PointSearch.h): a node against a group.
+/// The cost of testing a node against a group, in the units of kMaxWork (PointSearch.h).
 constexpr std::int64_t kVisitCost = 50;
 
-/// What the points of a group may cost each, and more of it where a halving costs a good part.
+/// The work budget per point of a group, increased where one subdivision costs a large share of it.
 std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> points)
 {
   constexpr std::int64_t kFewSplits = 100;
@@ -27,7 +27,7 @@ std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> po
   return least * (high / 1000) / (kMaxWork / 1000);
 }
 
-/// By volume in eta.
+/// The fraction of the element's volume in eta.
 double PartOfElement(const EtaBox& box)
 {
   const Vec3 sides = 0.5 * (box.upper - box.lower);
@@ -59,7 +59,7 @@ public:
     }
   }
 
-  /// False where the work has become too much for the group.
+  /// Returns false where the work budget of the group is exhausted.
   bool Run()
   {
     TakeKnownRoots();
@@ -75,7 +75,7 @@ public:
     return Work <= MostWork;
   }
 
-  void Tell(std::span<Preimages> answers) const
+  void Write(std::span<Preimages> answers) const
   {
     for (std::size_t i = 0; i < Group.points.size(); ++i)
     {
@@ -164,7 +164,7 @@ private:
     }
     if (Problem.affine && frame.IsAffine())
     {
-      // The frame's root is the only one, and no smaller box tells more of it.
+      // The frame's root is the only one, and a smaller box would not improve it.
       ForEachBit(points & ~Known, [&](std::size_t i) { TakeStraight(frame, i); });
       points &= Known;
     }
@@ -172,7 +172,7 @@ private:
     {
       return;
     }
-    // Smaller boxes would tell where a flat element ends, but nothing of what is in it.
+    // Smaller boxes would refine where a flat element ends, but no root in it.
     constexpr double kSmallBox = 1.0 / 4096.0;
     if (!frame.IsNearlyAffine(1.0) && PartOfElement(frame.box) <= kSmallBox && Tree.IsFlat(node))
     {
@@ -193,10 +193,10 @@ private:
     Visit(node.Child(1), points, searched);
   }
 
-  /// For which points a box may be settled.
+  /// Returns the points for which the box may be settled.
   [[nodiscard]] Bits Promising(const NodeFrame& frame, Bits searched) const
   {
-    // It is hardly ever that there is another root than the known one.
+    // A root besides the known one is rare.
     constexpr double kWithKnown = 0.125;
     const Bits affine = frame.IsAffine() ? searched : 0;
     const Bits known = frame.IsNearlyAffine(kWithKnown) ? Known & ~searched : 0;
@@ -204,8 +204,9 @@ private:
     return affine | known | others;
   }
 
-  /// For which of them Newton's iteration is begun. Where a root is known it finds the same again,
-  /// and halves exclude the point in less time; but for points by a fold, which take many.
+  /// Returns the points for which Newton's iteration starts. Where a root is known, the iteration
+  /// finds it again, and subdivision excludes the point in less time, except near a fold, which
+  /// takes many boxes.
   [[nodiscard]] static Bits WorthNewton(const NodeFrame& frame, Bits known)
   {
     constexpr double kWithKnown = 0.015;
@@ -219,8 +220,8 @@ private:
   void TakeApex(const NodeFrame& frame, std::size_t point)
   {
     const auto [xi, moved, check] = RootAtApex(Problem, Checker, frame, Group.YOf(point));
-    // Nothing proves that the map is injective around it. At a fold, what holds reaches to sixteen
-    // tolerances of its ends: two that are nearer than twice that may be one, or none.
+    // The map is not proven to be injective around the root. At a fold, points that hold reach to
+    // sixteen tolerances of its ends; two that are closer than twice that may be one root, or none.
     constexpr double kIsOne = 4.0;
     constexpr double kMayBeOne = 32.0;
     if (!check.holds ||
@@ -235,10 +236,10 @@ private:
     }
   }
 
-  /// Of an element that is straight up to its uncertainty, a root that Newton's iteration leaves
-  /// open because it lies far beyond a face, and yet within the faces' tolerance: nodes in single
-  /// precision far from the origin are known to no more than that. The point counts as inside; its
-  /// xi is moved towards the shape's centre, to where the map and the field are still trusted.
+  /// Takes a root in an element that is straight up to its uncertainty. Newton's iteration leaves
+  /// it open because it lies far outside a face, yet within the faces' tolerance: nodes in single
+  /// precision far from the origin have no higher precision. The point counts as inside; its xi is
+  /// moved towards the shape's centre, to where the map and the field are accepted.
   void TakeStraight(const NodeFrame& frame, std::size_t point)
   {
     constexpr double kTrusted = 1e-2;
@@ -260,7 +261,7 @@ private:
     Roots.Add(point, { centre + part * (root - centre), 0.0, true, true }, check);
   }
 
-  /// Of which points the box can hold no root but a known one.
+  /// Returns the points for which the box holds no root except a known one.
   Bits Settled(ElementTree::Node& node, Bits points)
   {
     const EtaBox& box = node.Frame().box;
@@ -317,10 +318,10 @@ void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wante
   Search search(tree, points, wanted);
   if (search.Run() || points.size() == 1)
   {
-    search.Tell(answers);
+    search.Write(answers);
     return;
   }
-  // Alone, a point may be decided with the work that it is allowed.
+  // A single point may be decided within its own budget.
   const std::size_t half = points.size() / 2;
   FindPreimages(tree, points.first(half), wanted, answers.first(half));
   FindPreimages(tree, points.subspan(half), wanted, answers.subspan(half));

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// What the map says of a xi that is taken for a root of y.
+/// The check of a xi as a root of y.
 struct RootCheck
 {
   [[nodiscard]] bool IsOnFace(Shape shape, const Vec3& xi) const
@@ -21,7 +21,7 @@ struct RootCheck
   bool holds = false;    ///< Phi(xi) is y up to so many times the uncertainty
 };
 
-/// Of at most kGroupPoints roots at once.
+/// Checks at most kGroupPoints roots at once.
 class RootChecker
 {
 public:
@@ -35,7 +35,7 @@ public:
 
 private:
   const InverseProblem& Problem;
-  /// xi, Phi, its derivatives and y, later in place of xi the tolerance; coordinate by coordinate.
+  /// xi, Phi, its derivatives and y, coordinate by coordinate. The tolerance later replaces xi.
   alignas(64) std::array<std::array<double, kGroupPoints>, 18> Lanes;
 };
 

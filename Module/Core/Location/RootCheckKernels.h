@@ -7,9 +7,9 @@
 
 namespace pixelexact
 {
-/// Of `count` roots, a bit each, those at which Phi is y up to `mostMiss` times the uncertainty.
-/// `phi`: its three coordinates there and their nine derivatives. Stores the faces' tolerances:
-/// |J^-1| times the uncertainty; zero where J is singular.
+/// Returns those of `count` roots, a bit each, at which Phi is y up to `mostMiss` times the
+/// uncertainty. `phi`: its three coordinates there and their nine derivatives. Stores the faces'
+/// tolerances: |J^-1| times the uncertainty; zero where J is singular.
 std::uint64_t CheckImages(const InverseProblem& problem, double mostMiss, int count,
   const double* const phi[12], const double* const y[3], double* const tolerance[3]);
 } // namespace pixelexact

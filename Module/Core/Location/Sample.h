@@ -5,14 +5,14 @@
 
 namespace pixelexact
 {
-/// What values are computed in; places and verdicts are always found in double precision.
+/// The precision of values. Places and verdicts are always computed in double precision.
 enum class Precision : unsigned char
 {
   Double,
   Float
 };
 
-/// How far values in single precision are from those in double precision, at some points of each
+/// The largest difference between values in single and in double precision, at some points of each
 /// element that were evaluated in both.
 struct PrecisionCheck
 {
@@ -26,8 +26,8 @@ struct PrecisionCheck
   }
 };
 
-/// Where samples go: one entry per point, or empty where not wanted. Points outside keep what the
-/// arrays held before; Clear() sets that to "nothing".
+/// The output arrays of samples: one entry per point, or empty where not requested. Points outside
+/// keep the arrays' previous entries; Clear() sets all to "nothing".
 struct SampleTarget
 {
   std::span<std::int32_t> element; ///< element number, -1 none; of unknown points a candidate
@@ -36,19 +36,20 @@ struct SampleTarget
   std::span<double> residual; ///< last Newton correction in xi, max norm
   std::span<double> value;    ///< components per point, point by point
   std::span<double> gradient; ///< 3 per component: d value_c / d x_d in world units
-  /// Components per point: the value's enclosure, proven to hold the field's value at the point
-  /// asked for, inversion error included (Enclosure.h); -inf to inf where nothing is proven, NaN
-  /// where not inside. Both or none.
+  /// Components per point: the enclosure of the value, proven to hold the field's value at the
+  /// given point, inversion error included (Enclosure.h). It is -inf to inf where nothing is
+  /// proven, NaN where not inside. Give both or none.
   std::span<double> valueLower = {};
   std::span<double> valueUpper = {};
-  /// Of `value`; gradients and enclosures are those of the values in double precision.
+  /// The precision of `value`. Gradients and enclosures are those of the values in double
+  /// precision.
   Precision precision = Precision::Double;
   PrecisionCheck* check = nullptr; ///< added to, where values are computed in floats
-  /// The unit normals of the surface that the points are on, for fields that need them
+  /// The unit normals of the surface at the points, for fields that need them
   /// (FieldFunction::NeedsNormals).
   std::span<const Vec3> normals = {};
 
-  /// element -1, verdict outside, everything else NaN.
+  /// Sets element to -1, the verdict to outside, and everything else to NaN.
   void Clear() const;
 };
 
@@ -65,23 +66,24 @@ void SampleTile(const Locator& locator, const Field* field, std::span<const Vec3
 void Sample(const Locator& locator, const Field* field, std::span<const Vec3> points,
   const SampleTarget& target);
 
-/// The world points of xi and normals there: functions (Field::function) may depend on them.
+/// The world points of xi and the normals there; fields that are functions (Field::function) may
+/// depend on them.
 struct PlacesOfXi
 {
   std::span<const Vec3> x{};       ///< in the world, near Phi(xi); empty: Phi(xi)
   std::span<const Vec3> normals{}; ///< as in SampleTarget
 };
 
-/// Values (and world gradients, where the span is not empty) of `field` at given xi of one
-/// element; no location.
+/// Evaluates `field`, and its world gradients where the span is not empty, at given xi of one
+/// element, without location.
 void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
   std::span<double> value, std::span<double> gradient, const PlacesOfXi& places = {});
 
-/// Enclosures of the values of `field` at world points x, whose preimages in one element are near
-/// xi (see EncloseValues, with the mesh's uncertainty).
+/// Encloses the values of `field` at world points x, whose preimages in one element are near xi
+/// (see EncloseValues, with the mesh's uncertainty).
 void EncloseAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
   std::span<const Vec3> x, std::span<double> lower, std::span<double> upper);
 
-/// World points Phi(xi) of one element.
+/// Evaluates the world points Phi(xi) of one element.
 void MapForward(const Mesh& mesh, int element, std::span<const Vec3> xi, std::span<Vec3> x);
 } // namespace pixelexact

@@ -12,14 +12,14 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes that bend less than this part of their size are not halved. Of pyramids, which are never
-/// known to be injective, each point beside a face that is left goes to the careful path.
+/// Boxes with a deviation below this fraction of their size are not subdivided. Pyramids are never
+/// known to be injective, so each remaining point near one of their faces takes the careful path.
 constexpr double kAffineEnough = 0.04;
 constexpr double kAffineEnoughOfPyramid = 0.01;
-/// Of the frame's deviation, in xi.
+/// The frame's deviation, in xi, above which an element counts as bent.
 constexpr double kBent = 0.2;
-/// Subdivisions of an element, and nanoseconds that they may take: all of them together but for
-/// coarse nodes, and those that one point needs.
+/// The largest depth of subdivision of an element, and its limits of cost in nanoseconds: for all
+/// boxes together except for coarse nodes, and for those that one point needs.
 constexpr int kMaxSubdivisions = 9;
 constexpr int kMaxSubdivisionsOfPyramid = 12;
 constexpr std::int64_t kMaxGrowth = 4'000'000;
@@ -82,10 +82,10 @@ void TreeFilter::Begin(ElementTree& tree, const LanePoints& points,
     });
 }
 
-/// Chunks of which the middle and some points all over them are well inside.
+/// Finds chunks whose middle and some points all over them are well inside.
 std::uint64_t TreeFilter::InnerChunks(const ElementBounds& bounds, std::uint64_t near) const
 {
-  // Corners of a block of 8 x 8 points, and some between.
+  // Corners of a block of 8 x 8 points, and some points between them.
   constexpr std::array<int, 8> kSpread{ 0, 7, 18, 27, 36, 45, 56, 63 };
   const InverseProblem& problem = Tree->Problem();
   const auto& middle = Boxes.middle.x;
@@ -114,7 +114,7 @@ std::uint64_t TreeFilter::InnerChunks(const ElementBounds& bounds, std::uint64_t
   return inner;
 }
 
-/// Tests the chunks, where the tree is worth it.
+/// Tests the chunks, unless the tree costs too much.
 void TreeFilter::Descend(std::uint64_t near)
 {
   ChunkBits open{};
@@ -140,7 +140,7 @@ void TreeFilter::Descend(std::uint64_t near)
   }
 }
 
-/// The points of a chunk in the element's units, made when a box leaves some of them open.
+/// The points of a chunk in the element's units, computed when a box leaves some of them open.
 std::array<const double*, 3> TreeFilter::InUnits(std::size_t chunk)
 {
   double* const y = &Y[3 * kGroupPoints * chunk];
@@ -178,7 +178,7 @@ void TreeFilter::Visit(
     {
       const auto y = InUnits(k);
       const NodeClassification points = Kernels.classifyWidely(frame, y.data(), mine[k]);
-      // No smaller box will exclude what is held here.
+      // No smaller box excludes the points that are held here.
       Kept[k] |= points.held;
       mine[k] = points.near & ~points.held;
       left |= mine[k] != 0 ? std::uint64_t{ 1 } << k : 0;

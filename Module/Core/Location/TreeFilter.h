@@ -11,23 +11,24 @@
 
 namespace pixelexact
 {
-/// Tells, before any inverse map is made, which of a batch's points a bent element surely does not
-/// hold: all of them together against the boxes of its tree, down to boxes that are nearly affine.
-/// Whole chunks of points are told first.
+/// Excludes points of a batch that a bent element does not hold, before any inverse map is
+/// computed. Tests all points together against the boxes of the element's tree, whole chunks first,
+/// down to boxes that are nearly affine.
 class TreeFilter
 {
 public:
-  /// Whether it is worth it: of an element whose map hardly bends the frame alone tells as much.
+  /// Whether the filter can exclude more than the frame alone; not for an element whose map hardly
+  /// bends.
   static bool IsWorthIt(const ElementBounds& bounds);
 
-  /// `kept[k]`: of chunk k's open points those that the element might hold, where `near` has the
-  /// bit k; at most 64 chunks. Depends on the points and the element alone.
+  /// `kept[k]`: the open points of chunk k that the element might hold, where `near` has the bit k;
+  /// at most 64 chunks. Depends on the points and the element alone.
   void Run(ElementTree& tree, const LanePoints& points, std::span<const PointChunk> chunks,
     std::uint64_t near, std::span<std::uint64_t> kept);
 
-  /// The same in less time: chunks that most likely lie in the element are kept without any test.
-  /// Returns a bit for each. Whether Run would keep their points matters only where the inverse map
-  /// does not find them inside.
+  /// A faster form: chunks that most likely lie in the element are kept without a test. Returns a
+  /// bit for each. Whether Run would keep their points matters only where the inverse map does not
+  /// find them inside.
   std::uint64_t RunButInner(ElementTree& tree, const ElementBounds& bounds,
     const LanePoints& points, std::span<const PointChunk> chunks, std::uint64_t near,
     std::span<std::uint64_t> kept);
