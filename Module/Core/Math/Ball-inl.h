@@ -32,7 +32,7 @@ HWY_INLINE Lanes Set(double value)
 {
   return NumberTraits<Lanes>::Splat(value);
 }
-/// An upper bound of what `sum` is the rounding of.
+/// An upper bound of the exact sum whose rounding is `sum`.
 HWY_INLINE Lanes RoundUp(Lanes sum)
 {
   return MulAdd(sum, Set(kUp), Set(kTiny));
@@ -47,7 +47,7 @@ struct Ball
   Lanes radius;
 
   static HWY_INLINE Ball Exactly(Lanes value) { return { value, ball::Set(0.0) }; }
-  /// -radius to radius.
+  /// The ball from -radius to radius.
   static HWY_INLINE Ball AroundZero(Lanes radius) { return { ball::Set(0.0), radius }; }
   /// An upper bound of every member's magnitude.
   [[nodiscard]] HWY_INLINE Lanes Magnitude() const { return ball::RoundUp(Abs(middle) + radius); }
@@ -60,7 +60,7 @@ HWY_INLINE Ball Sum(Lanes middle, Lanes radii)
 {
   return { middle, RoundUp(MulAdd(Set(kUnitRoundoff), Abs(middle), radii)) };
 }
-/// What the radii of a product's operands make of it.
+/// The radius of a product from its operands' radii, added to `start`.
 HWY_INLINE Lanes Spread(const Ball& a, const Ball& b, Lanes start)
 {
   return MulAdd(Abs(a.middle), b.radius, MulAdd(a.radius, Abs(b.middle) + b.radius, start));
@@ -79,7 +79,7 @@ HWY_INLINE Ball operator*(const Ball& a, const Ball& b)
 {
   return ball::Sum(a.middle * b.middle, ball::Spread(a, b, ball::Set(0.0)));
 }
-/// Without a fused operation the product is rounded by itself.
+/// Without a fused operation the product has a rounding of its own.
 HWY_INLINE Lanes ProductRounding(const Ball& a, const Ball& b)
 {
 #if HWY_NATIVE_FMA
@@ -100,7 +100,7 @@ HWY_INLINE Ball NegMulAdd(const Ball& a, const Ball& b, const Ball& c)
   return ball::Sum(
     NegMulAdd(a.middle, b.middle, c.middle), ball::Spread(a, b, c.radius) + ProductRounding(a, b));
 }
-/// Nothing is known where `b` might be zero, or is too near to it.
+/// The result is unbounded where `b` might be zero, or is close to it.
 ///
 /// With q the quotient of the middles, y / t - q = (y_m - q t_m + dy - q dt) / t, and the first
 /// difference is |t_m| times the rounding of q.

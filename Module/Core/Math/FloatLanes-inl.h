@@ -23,7 +23,7 @@ using FloatLanes = Pack<FloatTag>;
 template <>
 struct NumberTraits<FloatLanes>
 {
-  /// Of the recurrences' constants, which the compiler rounds.
+  /// The type of the recurrences' constants, which the compiler rounds to float.
   using Scalar = double;
   static HWY_INLINE FloatLanes Splat(float value)
   {
@@ -33,7 +33,7 @@ struct NumberTraits<FloatLanes>
   static HWY_INLINE FloatLanes SplatScalar(double value) { return Splat(value); }
 };
 
-/// As of doubles, with a vertex that is as near as floats can tell.
+/// The same as for doubles, with a larger region about the vertex, for the precision of floats.
 HWY_INLINE FloatLanes CollapsedQuotient(FloatLanes y, FloatLanes t)
 {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -45,14 +45,14 @@ HWY_INLINE FloatLanes CollapsedQuotient(FloatLanes y, FloatLanes t)
     hn::IfThenElseZero(hn::Not(vanishing), hn::Div(y.v, hn::IfThenElse(vanishing, one, t.v)));
   return { hn::IfThenElse(regular, quotient, hn::Max(hn::Min(quotient, one), hn::Neg(one))) };
 }
-/// Only derivatives divide by it.
+/// Used as a divisor of derivatives alone.
 HWY_INLINE FloatLanes SafeReciprocal(FloatLanes t)
 {
   namespace hn = hwy::HWY_NAMESPACE;
   return { hn::Div(hn::Set(FloatTag(), 1.0F), t.v) };
 }
 
-/// Doubles that a pack of floats takes: two packs of them, but where there are no lanes.
+/// The number of packs of doubles that fill a pack of floats: two, or one without lanes.
 #if HWY_TARGET == HWY_SCALAR
 inline constexpr int kPacksOfFloats = 1;
 HWY_INLINE FloatLanes ToFloat(Lanes low, Lanes /*high*/)

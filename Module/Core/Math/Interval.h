@@ -68,7 +68,7 @@ struct Interval
   {
     return other.lower >= lower && other.upper <= upper;
   }
-  /// Contained, without touching the ends.
+  /// Whether the other interval is contained without touching the ends.
   [[nodiscard]] constexpr bool ContainsInside(const Interval& other) const
   {
     return other.lower > lower && other.upper < upper;
@@ -95,7 +95,7 @@ namespace rounding
 {
 inline Interval Outward(double lower, double upper)
 {
-  // Written so that a NaN gives everything.
+  // The comparison is written so that a NaN gives -inf to inf.
   const double below = Below(lower);
   const double above = Above(upper);
   return { below <= lower ? below : -std::numeric_limits<double>::infinity(),
@@ -121,8 +121,8 @@ inline Interval operator*(const Interval& a, const Interval& b)
   const double q = a.lower * b.upper;
   const double r = a.upper * b.lower;
   const double s = a.upper * b.upper;
-  // 0 * infinity: a zero times whatever the infinity stands for is zero, but then the other
-  // products bound nothing.
+  // 0 * infinity: a zero times any finite number is zero, but then the other products bound
+  // nothing.
   if (std::isnan(p + q + r + s))
   {
     return Interval::Everything();
@@ -170,7 +170,7 @@ inline Interval Square(const Interval& a)
   const Interval s = rounding::Outward(m.lower * m.lower, m.upper * m.upper);
   return { std::max(s.lower, 0.0), s.upper };
 }
-/// Of the members that are not negative.
+/// The square roots of the members that are not negative.
 inline Interval Sqrt(const Interval& a)
 {
   const Interval s =
@@ -181,7 +181,7 @@ inline Interval Join(const Interval& a, const Interval& b)
 {
   return { std::min(a.lower, b.lower), std::max(a.upper, b.upper) };
 }
-/// Empty where they do not meet.
+/// The intersection; empty where the intervals do not meet.
 inline Interval Intersect(const Interval& a, const Interval& b)
 {
   return { std::max(a.lower, b.lower), std::min(a.upper, b.upper) };

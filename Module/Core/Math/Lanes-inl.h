@@ -17,9 +17,8 @@
 #include <cstdint>
 #include <limits>
 
-/// Of a lambda: compiled for the instruction set at hand, and into the function that calls it, so
-/// that what it captures stays in registers. Where the build is not made for speed the latter takes
-/// the compiler more time than it is worth.
+/// Compiles a lambda for the instruction set at hand and inlines it into its caller, so that its
+/// captures stay in registers. Builds with few orders do not inline, to save compile time.
 #ifndef PIXELEXACT_INLINED
 #ifdef PIXELEXACT_FEW_ORDERS
 #define PIXELEXACT_INLINED HWY_ATTR
@@ -136,7 +135,7 @@ HWY_INLINE bool All(LaneMask mask)
 {
   return hwy::HWY_NAMESPACE::AllTrue(LaneTag(), mask);
 }
-/// A NaN is not.
+/// False for NaN.
 HWY_INLINE LaneMask IsFinite(Lanes a)
 {
   return hwy::HWY_NAMESPACE::Le(hwy::HWY_NAMESPACE::Abs(a.v),
@@ -175,8 +174,8 @@ HWY_INLINE LaneMask MaskOf(std::uint64_t bits)
   const std::uint8_t bytes[8] = { static_cast<std::uint8_t>(bits) };
   return hwy::HWY_NAMESPACE::LoadMaskBits(LaneTag(), bytes);
 }
-/// Moves the lanes of a set to the front, in order; behind them may be anything. Highway's Compress
-/// copies its table at every call (1.0.3), and storing through a mask is microcode on some
+/// Moves the lanes of a set to the front, in order; the lanes after them are undefined. Highway's
+/// Compress copies its table at every call (1.0.3), and storing through a mask is microcode on some
 /// processors.
 class LanesToFront
 {
@@ -205,7 +204,7 @@ private:
   using NumberTag = hwy::HWY_NAMESPACE::Rebind<std::int32_t, LaneTag>;
   static constexpr std::size_t kMaxLanes = 8;
   using Orders = std::array<std::array<std::int32_t, kMaxLanes>, 1U << kMaxLanes>;
-  /// Of each set of lanes the numbers, in order, and then 0.
+  /// For each set of lanes their numbers, in order, followed by zeros.
   static constexpr Orders kOrders = []
   {
     Orders orders{};
@@ -240,8 +239,8 @@ HWY_INLINE double Most(Lanes a)
   return hwy::HWY_NAMESPACE::GetLane(hwy::HWY_NAMESPACE::MaxOfLanes(LaneTag(), a.v));
 }
 
-/// What the evaluation templates need to know of their number type. The scalar is the type of the
-/// recurrences' constants.
+/// The operations that the evaluation templates need from their number type. Scalar is the type of
+/// the recurrences' constants.
 template <class T>
 struct NumberTraits
 {
