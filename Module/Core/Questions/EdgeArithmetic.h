@@ -8,17 +8,17 @@
 #include <cmath>
 #include <cstddef>
 
-// What bounds along edges are reckoned with: sums and products that are not negative.
+// Arithmetic of bounds along edges: sums and products that are not negative.
 namespace pixelexact::edges
 {
-/// Covers the rounding of some dozen of them.
+/// Covers the rounding of about a dozen such operations.
 inline constexpr double kUp = 1.0 + 1e-13;
-/// The same, as a part of the largest.
+/// The same, as a fraction of the largest operand.
 inline constexpr double kRoundoffs = 32.0 * kUnitRoundoff;
-/// By how much a path may leave the element, in xi: far less than would be seen, and more than
-/// rounding makes of an edge in a face.
+/// The distance, in xi, by which a path may leave the element: far less than is visible, and more
+/// than rounding makes of an edge in a face.
 inline constexpr double kBeside = 1e-13;
-/// Of symmetric matrices: 11, 12, 13, 22, 23, 33.
+/// Rows and columns of a symmetric matrix's entries 11, 12, 13, 22, 23, 33.
 inline constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
 inline constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
 
@@ -48,8 +48,9 @@ inline double Bilinear(const double (&m)[6], const double (&s)[3], const double 
       m[4] * (s[1] * t[2] + s[2] * t[1]));
 }
 
-/// Bounds (I - A)^-1 of A >= 0, and so |(I + E)^-1| of all E with |E| <= A. False where the row
-/// sums of that are not proven to be at most `most`, a few; a NaN in A is not proven.
+/// Bounds (I - A)^-1 for A >= 0, and therefore |(I + E)^-1| for all E with |E| <= A. Returns false
+/// where its row sums are not proven to be at most `most`, a small number; a NaN in A is never
+/// proven.
 inline bool BoundSolution(const double (&a)[3][3], double most, double (&solution)[3][3])
 {
   const auto minor = [&a](std::size_t i, std::size_t j)
@@ -76,7 +77,7 @@ inline bool BoundSolution(const double (&a)[3][3], double most, double (&solutio
   for (std::size_t i = 0; i < 3; ++i)
   {
     // A x < x with a positive x: the eigenvalues of A are below 1, and the inverse is not negative.
-    // Rounding leaves the most of (I - A) x = 1.
+    // Rounding leaves most of (I - A) x = 1.
     const double image = a[i][0] * sums[0] + a[i][1] * sums[1] + a[i][2] * sums[2];
     if (!(sums[i] > 0.0 && sums[i] <= most && sums[i] - image > 0.5))
     {
@@ -87,16 +88,15 @@ inline bool BoundSolution(const double (&a)[3][3], double most, double (&solutio
   {
     for (std::size_t j = 0; j < 3; ++j)
     {
-      // (I - A) x > 1/2, so that this is more than what rounding takes off.
+      // (I - A) x > 1/2, so that this exceeds the effect of rounding.
       solution[i][j] = std::max(solution[i][j], 0.0) + 1e-11 * sums[i];
     }
   }
   return true;
 }
 
-/// The same where the row sums are those of D (I - A)^-1 D^-1, with the diagonal of D, `sides`: of
-/// unknowns that are as long as those are in space, so that it does not matter how thin an element
-/// is.
+/// The same for the row sums of D (I - A)^-1 D^-1, where D has the diagonal `sides`. Unknowns are
+/// then lengths in space, so that the result does not depend on how thin an element is.
 inline bool BoundSolution(
   const double (&a)[3][3], const double (&sides)[3], double most, double (&solution)[3][3])
 {

@@ -14,16 +14,18 @@ using namespace edges;
 
 namespace
 {
-/// Of xi: what located points may be off is measured where it could be more than that.
+/// Errors of located points up to this, in xi, are assumed; larger ones are measured.
 constexpr double kMaxAssumed = 1e-10;
-/// Of bounds: a larger part that falls with the node is worth smaller nodes.
+/// Smaller nodes are visited where `loose` exceeds this fraction of the bound.
 constexpr double kLoose = 0.25;
-/// Of the rise along an edge: halves of edges cost less than smaller nodes below that.
+/// Smaller nodes are visited where the deviation exceeds this fraction of the rise along an edge.
+/// Below that, dividing the edge costs less.
 constexpr double kRough = 0.3;
-/// So often in a row that smaller nodes may bring less than that: halves along other directions do.
+/// The number of successive smaller nodes that may improve the bound by less than kImproved: the
+/// improvement may need a subdivision along another direction.
 constexpr int kMaxIdle = 4;
 constexpr double kImproved = 0.75;
-/// Of an expansion about a node without the functions there, in nanoseconds.
+/// The cost of an expansion about a node without evaluations of functions, in nanoseconds.
 constexpr std::int64_t kCostOfMeeting = 700;
 } // namespace
 
@@ -83,7 +85,7 @@ std::array<double, 3> EdgeBounds::ShiftOf(
   std::array<double, 3> shift;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // Written so that a NaN leaves what is known.
+    // The comparison is written so that a NaN keeps the known bound.
     shift[k] = off[k] < most[k] ? off[k] : most[k];
   }
   return shift;
@@ -96,7 +98,7 @@ std::optional<EdgeRange> EdgeBounds::Along(const LocatedPoint& a, const LocatedP
   {
     return std::nullopt;
   }
-  // Where a large node of a thin element tells nothing, a small one may.
+  // In a thin element a small node may give a bound where a large one gives none.
   for (const bool straight : { false, true })
   {
     const EdgeNode* node = &Tree.LeafAt(a.eta, work, straight);
@@ -168,13 +170,14 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
     range.error += node.slope[k] * shift[k];
     range.deviation += node.slope[k] * besides;
     outside += node.slope[k] * 2.0 * beside[k];
-    // What is no polynomial differs from its chord by no more than half of its way.
+    // A function that is no polynomial differs from its chord by at most half of the change along
+    // it.
     range.loose += node.beside[k] * (0.5 * s[k] + off[k] + 2.0 * shift[k]);
   }
   for (const EdgeNodeEnd& end : node.wideEnds)
   {
     const double depth = std::min(end.DepthOf(a.xi), end.DepthOf(b.xi)) - end.Across(off);
-    // Written so that a NaN is not covered.
+    // The comparison is written so that a NaN is not covered.
     if (!(depth + (end.ofElement ? end.Across(beside) : 0.0) >= 0.0))
     {
       return std::nullopt;
@@ -184,8 +187,8 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
   range.deviation += mayLeave ? outside : 0.0;
   if (Functions.Components() > 1)
   {
-    // Of the norm of a vector that changes linearly, by at most `change`: it is convex, and its
-    // second derivative is at most the change's square over the norm.
+    // The norm of a vector that changes linearly, by at most `change`, is convex, and its second
+    // derivative is at most the square of the change over the norm.
     double change = 2.0 * error;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -270,7 +273,7 @@ bool EdgeBounds::MayTake(
   {
     return true;
   }
-  // As ValuesIn; what a node's own values tell is asked first, because it costs least.
+  // Works as ValuesIn, but tests a node's own values first, because that costs least.
   const auto mayTake = [&](const auto& self, const EdgeNode& node) -> bool
   {
     if (effort.work)

@@ -13,8 +13,8 @@
 
 namespace pixelexact
 {
-/// A point of an element that has been located there, and the component's value at its xi as the
-/// kernels make it.
+/// A point that has been located in an element, and the component's value at its xi, as the kernels
+/// compute it.
 struct LocatedPoint
 {
   Vec3 x{ 0.0 };
@@ -23,16 +23,17 @@ struct LocatedPoint
   double value = 0.0;
 };
 
-/// How often regular nodes are halved, at most, where smaller ones would tell more.
+/// The largest numbers of subdivisions of regular nodes, where smaller ones would give narrower
+/// bounds.
 struct EdgeEffort
 {
   static constexpr int kAny = std::numeric_limits<int>::max();
   int whereMapBends = 0;
   int whereFieldCurves = 0;
-  EdgeWork* work = nullptr; ///< for all halvings; null: without a limit
+  EdgeWork* work = nullptr; ///< for all subdivisions; null: without a limit
 };
 
-/// What is known of a component along an edge that lies in one element.
+/// Bounds of a component along an edge that lies in one element.
 struct EdgeRange
 {
   double deviation = 0.0; ///< from the straight line between the ends' values
@@ -45,8 +46,8 @@ struct PlanarValues
 {
   Interval values;    ///< hold all of them
   double loose = 0.0; ///< the part of the bounds that falls with the node
-  /// By an affine function of the points x of the part: At(x) is off by at most this. Infinite
-  /// where it has not been asked for.
+  /// The error of the affine function At of the points of the part. Infinite where it was not
+  /// requested.
   double error = std::numeric_limits<double>::infinity();
   Vec3 origin{ 0.0 };
   double first = 0.0; ///< at the origin
@@ -59,87 +60,88 @@ struct PlanarValues
   }
 };
 
-/// Bounds of a component of a field along short edges in one element, from what is kept of its map
-/// and its second derivatives. Safe to use from several threads; what is known is made where
-/// somebody first asks, and depends on neither view nor value.
+/// Bounds of a component of a field along short edges in one element, from kept bounds of its map
+/// and its second derivatives. Safe to use from several threads. Bounds are computed on first use,
+/// and depend on neither view nor value.
 ///
-/// `work`: what halving nodes may cost, of several questions; null: without a limit. What is not
-/// found out for want of it is not proven.
+/// `work`: the work budget of the subdivisions for several queries; null: without a limit. Results
+/// that would exceed it are not proven.
 ///
-/// Everything holds for the stored map and field. See Documentation/contours-proof.md for the
+/// All results hold for the stored map and field. See Documentation/contours-proof.md for the
 /// proofs.
 class EdgeBounds
 {
 public:
-  /// `component`: one of the field's, or -1: the Euclidean norm of
-  /// all, if there are several. The arrays must outlive the object. `rounding`: of values, as a
-  /// part of their largest possible magnitude, beyond that of the kernels in double precision.
+  /// `component`: one of the field's, or -1: the Euclidean norm of all, if there are several. The
+  /// arrays must outlive the object. `rounding`: the rounding of values beyond that of the kernels
+  /// in double precision, relative to their largest possible magnitude.
   EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element, const Field& field,
     int component, double rounding = 0.0);
-  /// Of the map alone, and of faces: the component is 0.
+  /// Bounds the map and faces alone; the component is 0.
   EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element);
   EdgeBounds(const EdgeBounds&) = delete;
   EdgeBounds& operator=(const EdgeBounds&) = delete;
 
-  /// Holds all values in the element; everything where nothing is known of them, as of mapped
-  /// fields in pyramids (EdgeFunctions::IsKnown).
+  /// Encloses all values in the element; -inf to inf where they are not known, as for mapped fields
+  /// in pyramids (EdgeFunctions::IsKnown).
   [[nodiscard]] const Interval& Values() const { return Functions.Values(); }
   /// False where a coefficient is not finite.
   [[nodiscard]] bool HasValues() const { return Functions.HasValues(); }
-  /// About what finding xi and value costs next to a point, for EdgeWork.
+  /// An estimate for EdgeWork of the cost of finding xi and value next to a point.
   [[nodiscard]] std::int64_t SampleCost(const LocatedPoint& point, EdgeWork* work) const;
 
-  /// The field along the straight edge between two points: it lies in the element, as far as
-  /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the
-  /// two. Nothing where that is not proven. `sagitta`: how far off the straight edge the true one
-  /// is, in world units. More is found out of expressions as long as the values may meet `wanted`;
-  /// null: nothing more.
+  /// Bounds the field along the straight edge between two points. The edge lies in the element, up
+  /// to rounding, and at a + s (b - a) the value is within `deviation` of the linear interpolation.
+  /// None where that is not proven. `sagitta`: the largest distance between the straight edge and
+  /// the true one, in world units. For expressions, visits smaller nodes as long as the values may
+  /// meet `wanted`; null: does not.
   [[nodiscard]] std::optional<EdgeRange> Along(const LocatedPoint& a, const LocatedPoint& b,
     double sagitta = 0.0, EdgeWork* work = nullptr, const ValueSet* wanted = nullptr) const;
 
-  /// The values on a part of the plane through three points of the element, best next to them.
-  /// Nothing where it is not proven that the part lies in the element. More is found out only as
-  /// long as they meet those that are wanted, and the affine function where they do to the end.
+  /// Bounds the values on a part of the plane through three points of the element, which should be
+  /// close to it. None where the part is not proven to lie in the element. Refines only while the
+  /// values meet `wanted`; the affine function is computed if they still do at the end.
   [[nodiscard]] std::optional<PlanarValues> Over(const std::array<LocatedPoint, 3>& triangle,
     const WideOutline& part, const ValueSet& wanted, EdgeWork* work = nullptr) const;
 
-  /// Holds the values at the points of the element in a region; nothing: there are none. More is
-  /// found out only as long as they meet those that are wanted: what is told then may lack others.
+  /// Encloses the values at the points of the element in a region; none where there are no such
+  /// points. Refines only while the values meet `wanted`; values outside `wanted` may then be
+  /// missing from the result.
   [[nodiscard]] std::optional<Interval> ValuesIn(
     const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const;
-  /// Whether these meet the wanted ones; false: proven that the component takes none there.
+  /// Whether the component may take wanted values there. False is a proof that it takes none.
   [[nodiscard]] bool MayTake(
     const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const;
-  /// A bound of how far the values within a distance of a point, in the element and next to the
-  /// point in xi as well, are from its own; infinite where none is known.
+  /// Bounds the difference between a point's value and the values within a distance of it, in the
+  /// element and next to the point in xi. Infinite where no bound is known.
   [[nodiscard]] double ChangeWithin(
     const LocatedPoint& point, double distance, EdgeWork* work = nullptr) const;
 
-  /// How far the sheet is off the straight line between two of its points at most, along all rays
-  /// between those that meet it there: all of them meet it in the element, as far as rounding goes.
-  /// Infinite where that is not proven.
+  /// Bounds the distance of the sheet from the straight line between two of its points, along all
+  /// rays between those that meet it there. All of these rays meet the sheet in the element, up to
+  /// rounding. Infinite where that is not proven.
   [[nodiscard]] double Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const;
-  /// Whether some point of the sheet may be in a region; false: proven that none is.
+  /// Whether some point of the sheet may be in a region. False is a proof that none is.
   [[nodiscard]] bool MayMeet(
     const Sheet& sheet, const WideOutline& region, const EdgeEffort& effort) const;
-  /// Where the sheet leaves the element on the way to another ray. Nothing is proven of what is
-  /// between: Sagitta tells. Nothing where it is not found.
+  /// The point where the sheet leaves the element on the way to another ray. The sheet between the
+  /// two is not proven; Sagitta proves it. None where no such point is found.
   [[nodiscard]] std::optional<SheetExit> ExitOf(
     const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const;
 
 private:
-  /// Nothing where the edge is not proven to lie in the node's margin.
+  /// None where the edge is not proven to lie in the node's margin.
   [[nodiscard]] std::optional<EdgeRange> AlongIn(
     const EdgeNode& node, const LocatedPoint& a, const LocatedPoint& b, double sagitta) const;
-  /// The same in smaller nodes than `node`, in which the range is `found`.
+  /// The same in smaller nodes than `node`, which gives the range `found`.
   [[nodiscard]] EdgeRange AlongSmaller(const EdgeNode& node, const EdgeRange& found,
     const LocatedPoint& a, const LocatedPoint& b, double sagitta, EdgeWork* work,
     const ValueSet& wanted) const;
-  /// As Over, in one node.
+  /// The same as Over, in one node.
   [[nodiscard]] std::optional<PlanarValues> OverIn(const EdgeNode& node,
     const std::array<LocatedPoint, 3>& triangle, const WideOutline& part,
     const ValueSet& wanted) const;
-  /// By how much the points' xi may be off: |xi - xi'| of Phi(xi') = x, by direction.
+  /// Bounds the error of the points' xi: |xi - xi'| with Phi(xi') = x, by direction.
   [[nodiscard]] std::array<double, 3> ShiftOf(
     const EdgeNode& node, std::span<const LocatedPoint> points) const;
   [[nodiscard]] EdgeMeeting MeetNode(

@@ -23,20 +23,22 @@ using edges::SumOf;
 
 namespace
 {
-/// Subdivisions of boxes on which the map is not regular, and of those where it is: of functions
-/// with few coefficients. Nodes of many cost more, and there are fewer of them.
+/// The largest depth of subdivision of boxes on which the map is not regular, and of those where it
+/// is, for functions with few coefficients. Nodes of functions with many cost more, and have a
+/// smaller depth.
 constexpr int kMaxSubdivisions[2] = { 20, 22 };
 constexpr double kFewCoefficients = 216.0;
-/// Of the map and the component at a point, and of four of their modes, in nanoseconds.
+/// The cost of the map and the component at a point, and of four of their modes, in nanoseconds.
 constexpr std::int64_t kCostOfView = 200;
 constexpr std::int64_t kCostOfFourModes = 3;
-/// Of a point whose xi is found at once, and of others, as next to folds.
+/// The cost of a point whose xi Newton's iteration finds, and of other points, such as those next
+/// to folds.
 constexpr std::int64_t kCostOfSample = 1500;
 constexpr std::int64_t kCostOfHardSample = 250'000;
-/// Of an expression's operations over a box, and of one of its values.
+/// The cost of an expression's operation over a box, and of one of its values.
 constexpr std::int64_t kCostOfOperation = 200;
 constexpr std::int64_t kCostOfJet = 1000;
-/// Of boxes that cost nothing: how often they are halved at most, and what they may cost together.
+/// Limits of subdivisions without cost: the largest depth of boxes, and their cost together.
 constexpr int kMaxFree = 8;
 constexpr std::int64_t kMaxFreeCost = 50'000'000;
 } // namespace
@@ -69,12 +71,12 @@ EdgeFunctions::Modes EdgeFunctions::ModesOf(const Mesh& mesh, const ElementBound
     auto jet = field.function->JetOnElement(
       mesh, element, isNorm ? FieldFunction::kNorm : std::max(component, 0), off);
     const bool known = jet != nullptr && jet->IsFinite();
-    // The modes of the map stand for those that there are not.
+    // The map's modes replace those of the component, which does not have any.
     return { ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 1), 1,
       std::nullopt, known, std::move(jet) };
   }
   const Space& space = field.values.SpaceOf(element);
-  // Of mapped vectors each component is made of all.
+  // Each component of a mapped vector depends on all of them.
   const bool isMapped = field.mapping != Mapping::Identity;
   ScaledModes modes(space,
     field.values.Coefficients(element) +
@@ -128,7 +130,7 @@ EdgeFunctions::EdgeFunctions(
   if (modes.quotient)
   {
     const QuotientModes& quotient = *modes.quotient;
-    // Of kernels, and of ValuesAt.
+    // Includes the errors of the kernels and of ValuesAt.
     Error += Count * (quotient.numeratorError + Slack[0]);
     DivisorError = ErrorOf(*Divisor, 1, Part::Value) + quotient.divisorError + DivisorSlack[0];
     for (const Part part : kDerivatives)
@@ -242,7 +244,7 @@ PointValues EdgeFunctions::ImagesAt(std::span<const Vec3> xi) const
   return { MapKernels, Map.space, Map.values.data(), 3, std::ldexp(1.0, Map.exponent), xi };
 }
 
-/// Of an expression, with its derivatives by xi.
+/// The values of an expression, with its derivatives by xi.
 PointValues EdgeFunctions::ValuesOfJet(std::span<const Vec3> xi) const
 {
   const PointValues map = ImagesAt(xi);
@@ -313,7 +315,8 @@ EdgeFunctions::Linear EdgeFunctions::LinearValues(
   const Vec3& xi, std::span<const Vec3> places, double slopeError) const
 {
   constexpr std::size_t kMax = Outline::kMaxCorners + Outline::kMaxCuts;
-  // Of all components: at each place the value, its square, and its product with the sum of all.
+  // The sums over the components: the value, its square, and its product with the sum of all, at
+  // each place.
   std::array<double, kMax> values{};
   std::array<double, kMax> squares{};
   std::array<double, kMax> products{};
@@ -345,7 +348,7 @@ EdgeFunctions::Linear EdgeFunctions::LinearValues(
     square += sum * sum;
     size += std::fabs(component.values[0][0]) + LargestOf(slope) * length;
   }
-  // A rise is a sum of three products of differences: some eight roundings of `size`.
+  // A rise is a sum of three products of differences, with about eight roundings of `size`.
   const double slack = edges::kRoundoffs * size + slopeError * length;
   if (Count == 1)
   {
@@ -354,7 +357,7 @@ EdgeFunctions::Linear EdgeFunctions::LinearValues(
     linear.values = { *least - slack, *most + slack };
     return linear;
   }
-  // |v| >= v . n of the unit vector n along the sum, which is least at a corner.
+  // |v| >= v . n for the unit vector n along the sum, which is smallest at a corner.
   const auto least = *std::min_element(products.begin(), products.begin() + std::ssize(places));
   const auto most = *std::max_element(squares.begin(), squares.begin() + std::ssize(places));
   linear.values = { square > 0.0 ? std::max(0.0, least / std::sqrt(square) - 16.0 * slack) : 0.0,

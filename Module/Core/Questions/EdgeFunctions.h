@@ -22,57 +22,57 @@
 
 namespace pixelexact
 {
-/// The map of an element, in the element's units, and a component of a field: at points, and bounds
-/// over boxes of eta. Safe to use from several threads.
+/// The map of an element, in the element's units, and a component of a field, at points and with
+/// bounds over boxes of eta. Safe to use from several threads.
 class EdgeFunctions
 {
 public:
   /// See EdgeBounds.
   EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element, const Field& field,
     int component, double rounding);
-  /// Of the map alone.
+  /// Constructs the map alone.
   EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element);
 
-  /// Whether anything else is known: of mapped fields nothing is in pyramids, and with products of
-  /// high orders (QuotientModes).
+  /// Whether the component has bounds. Mapped fields have none in pyramids, and none with products
+  /// of high orders (QuotientModes).
   [[nodiscard]] bool IsKnown() const { return Known; }
   /// Whether the component is an expression.
   [[nodiscard]] bool HasJet() const { return Jet != nullptr; }
-  /// False where a coefficient is not finite: there are none then.
+  /// False where a coefficient is not finite; then there are no values.
   [[nodiscard]] bool HasValues() const { return Jet ? Jet->IsFinite() : Component.finite; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
-  /// Of which the norm is taken, if there are several; 0: of the map alone.
+  /// The number of components in the norm, or 1; 0: the map alone.
   [[nodiscard]] int Components() const { return Count; }
-  /// Holds all values in the element; everything where it is not known, and for mapped fields where
-  /// det J is not proven to keep its sign.
+  /// Encloses all values in the element. It is -inf to inf where they are not known, and for mapped
+  /// fields where det J is not proven to keep its sign.
   [[nodiscard]] const Interval& Values() const { return Range; }
-  /// Bounds the rounding of values as the kernels make them, of fields that are not mapped (see
-  /// ErrorsWith); of the map's, in the element's units.
+  /// Bounds the rounding of the kernels' values, for fields that are not mapped (see ErrorsWith),
+  /// and of the map's images, in the element's units.
   [[nodiscard]] double ValueError() const { return Error; }
   [[nodiscard]] double ImageError() const { return MapError; }
-  /// The same of derivatives by xi.
+  /// Bounds the rounding of derivatives by xi.
   [[nodiscard]] double ValueSlopeError() const { return SlopeError; }
   [[nodiscard]] double ImageSlopeError() const { return MapSlopeError; }
-  /// World units in one of the element's.
+  /// World units per unit of the element.
   [[nodiscard]] double Size() const { return Unit; }
-  /// Of the map and of points, by coordinate, in the element's units.
+  /// The uncertainty of the map and of points, by coordinate, in the element's units.
   [[nodiscard]] const std::array<double, 3>& Uncertainty() const { return Unsure; }
-  /// How often boxes are worth halving: those on which the map is not regular, and those where it
-  /// is.
+  /// The largest useful depth of subdivision of boxes on which the map is not regular, and of those
+  /// where it is.
   [[nodiscard]] int Deepest(bool regular) const { return Subdivisions[regular ? 1 : 0]; }
-  /// About what it costs to halve one, in nanoseconds of one core.
+  /// The estimated cost of subdividing a box, in nanoseconds of one core.
   [[nodiscard]] std::int64_t SubdivisionCost(const EtaBox& box) const;
-  /// How often large boxes are halved for nothing: there are few of them, and many questions share
-  /// them.
+  /// The depth to which boxes are subdivided without cost: there are few of them, and many queries
+  /// share them.
   [[nodiscard]] int FreeSubdivisions() const { return Free; }
-  /// The same of the map and the component at a point.
+  /// The estimated cost of the map and the component at a point.
   [[nodiscard]] std::int64_t ViewCost() const { return CostOfView; }
-  /// The same of finding a point's xi, and the value there, where the map is regular and where it
-  /// is not.
+  /// The estimated cost of finding a point's xi and the value there, where the map is regular and
+  /// where it is not.
   [[nodiscard]] std::int64_t SampleCost(bool regular) const;
   [[nodiscard]] Vec3 InUnits(const Vec3& x) const { return (x - Centre) / Unit; }
   [[nodiscard]] Vec3 InWorld(const Vec3& y) const { return Centre + Unit * y; }
-  /// By coordinate, in the element's units: of InUnits at x.
+  /// Bounds the rounding of InUnits at x, by coordinate, in the element's units.
   [[nodiscard]] Vec3 RoundingInUnits(const Vec3& x) const;
 
   /// The map, and a component, at points.
@@ -90,8 +90,8 @@ public:
   [[nodiscard]] View ViewAt(const Vec3& xi) const;
   /// See IsFlatOver (Regularity.h).
   [[nodiscard]] bool IsFlatOver(const EtaBox& box) const;
-  /// Of the expansion of first order about a xi, between these places in xi: of an Outline.
-  /// `slopeError`: of the component at points there (ErrorsWith).
+  /// The expansion of first order about a xi: its values between these places in xi, the corners of
+  /// an Outline. `slopeError`: of the component at points there (ErrorsWith).
   struct Linear
   {
     Interval values;
@@ -100,14 +100,15 @@ public:
   [[nodiscard]] Linear LinearValues(
     const Vec3& xi, std::span<const Vec3> places, double slopeError) const;
 
-  /// Holds all values of a box.
+  /// Encloses all values over a box.
   [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
-  /// The same, by what is known of a box about it; that alone where more would cost much.
+  /// The same, intersected with the values over a larger box; these alone where more would cost
+  /// much.
   [[nodiscard]] Interval NarrowedOver(const EtaBox& box, const Interval& those) const
   {
     return Count == 0 || Divisor ? those : Intersect(ValuesOver(box), those);
   }
-  /// Of the map over a box.
+  /// Ranges of the map over a box.
   struct MapRanges
   {
     Box3 image;                                      ///< holds it, in world coordinates
@@ -122,20 +123,21 @@ public:
     double value;
     double slope;
   };
-  /// First and second derivatives by xi of the map's coordinates and of the components; and of
-  /// these, together, the values. `map`: of the same box.
+  /// First and second derivatives by xi of the map's coordinates and of the components, and the
+  /// values of all components together. `map`: of the same box.
   struct Derivatives
   {
     std::array<HessianFunction::XiRanges, 3> map;
     std::vector<HessianFunction::XiRanges> components;
     Interval values;
-    /// Of mapped fields, det J and its first derivatives.
+    /// det J and its first derivatives, for mapped fields.
     Interval divisor{ 1.0 };
     std::array<Interval, 3> divisorSlopes{};
-    /// Of one component that is not mapped, over boxes in one piece.
+    /// The second derivatives as affine bounds, for one component that is not mapped, over boxes in
+    /// one piece.
     std::optional<EdgePolynomials::Curves> curves;
-    /// Of expressions: the derivatives by xi are those of a function with these second ones, but
-    /// for this; and the rounding (ErrorsWith).
+    /// For expressions: the derivatives by xi differ from those of a function with these second
+    /// derivatives by at most this. `errors`: the rounding (ErrorsWith).
     std::array<double, 3> beside{};
     Errors errors{};
   };
@@ -146,7 +148,7 @@ public:
   EdgeFunctions& operator=(const EdgeFunctions&) = delete;
 
 private:
-  /// Of functions: their modes, and of mapped ones what they are divided by.
+  /// The modes of the component or of a mapped field's quotient.
   struct Modes
   {
     ScaledModes component;
@@ -160,7 +162,7 @@ private:
   EdgeFunctions(
     const Mesh& mesh, const ElementBounds& bounds, int element, Modes modes, double rounding);
   [[nodiscard]] std::vector<EdgePolynomials::Function> Functions() const;
-  /// Holds det J, in the element's units, over the element.
+  /// Encloses det J, in the element's units, over a box.
   [[nodiscard]] Interval DivisorOver(const EtaBox& box, int subdivisions) const;
   void TakeSlack(const QuotientModes& quotient);
   void BoundErrors(double rounding);
@@ -168,7 +170,7 @@ private:
   void ForEachPiece(const EtaBox& box, const Visit& visit) const;
   [[nodiscard]] Interval RangeOver(
     const EtaBox& box, const ScaledModes& modes, int component, Part part) const;
-  /// Calls visit(the polynomials), which are kept as far as there is room.
+  /// Calls visit(polynomials). The polynomials are kept as long as memory allows.
   template <class Visit>
   void WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const;
   [[nodiscard]] Interval ValuesOf(std::span<const Interval> components) const;
@@ -179,7 +181,7 @@ private:
   void AddJet(const JetBounds& jet, Derivatives& ranges) const;
   [[nodiscard]] PointValues ValuesOfJet(std::span<const Vec3> xi) const;
   void ChooseLevel();
-  /// Of `components` functions together (RangeIngredient::RoundingInKernels).
+  /// The error of `components` functions together (RangeIngredient::RoundingInKernels).
   [[nodiscard]] double ErrorOf(const ScaledModes& modes, int components, Part part) const;
 
   ScaledModes Map;
@@ -202,7 +204,7 @@ private:
   double SlopeError = 0.0; ///< of values' derivatives by xi
   double DivisorError = 0.0;
   double DivisorSlopeError = 0.0;
-  // How far the quotient's polynomials are off, by order of the derivative: QuotientModes.
+  // The errors of the quotient's polynomials, by order of the derivative: QuotientModes.
   std::array<double, 3> Slack{};
   std::array<double, 3> DivisorSlack{};
   double MapError = 0.0;
@@ -210,7 +212,6 @@ private:
   Interval Range;
   std::unique_ptr<PieceStore<EdgePolynomials>> Kept;
   std::unique_ptr<PieceStore<PolynomialBatch>> JetPolynomials;
-  std::unique_ptr<MadeOnDemand<EdgePolynomials::Cost>>
-    Costs; ///< of halves in a piece, where there are some
+  std::unique_ptr<MadeOnDemand<EdgePolynomials::Cost>> Costs; ///< of subdivisions in a piece
 };
 } // namespace pixelexact

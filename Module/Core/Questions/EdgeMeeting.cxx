@@ -21,20 +21,20 @@ using namespace edges;
 
 namespace
 {
-/// What the expansion's error may be of the distance.
+/// Smaller nodes help where the expansion's error exceeds this fraction of the distance.
 constexpr double kCoarse = 0.25;
-/// The same of expressions.
+/// The same for expressions.
 constexpr double kLooseInRegion = 1.0;
 constexpr int kRounds = 6;
 constexpr int kLocalRounds = 2;
-/// In xi: rounding of what is on a face.
+/// The rounding of points on a face, in xi.
 constexpr double kBesideFace = 1e-13;
-/// Of Newton's iteration towards a region's middle.
+/// Newton steps towards a region's middle.
 constexpr int kMiddleSteps = 2;
-/// Covers the rounding of sums of some five products, of their magnitudes' sum.
+/// Covers the rounding of sums of about five products, relative to the sum of their magnitudes.
 constexpr double kSum = 8.0 * kUnitRoundoff;
 
-/// A xi of a box, not far from the nearest one.
+/// A xi of the box, close to the nearest one.
 Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
 {
   const EtaBox& box = node.wide;
@@ -51,12 +51,12 @@ Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
       }
     }
   }
-  // What is left, in eta: of a NaN, any point.
+  // Clamps the remaining distance in eta. A NaN becomes some point of the box.
   return TensorToReference(
     shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
 }
 
-/// By the affine map of a node.
+/// Applies the inverse of a node's affine map.
 Vec3 ToXi(const EdgeFunctions& functions, const EdgeNode& node, const Vec3& x)
 {
   const Vec3 y = functions.InUnits(x) - node.origin;
@@ -69,7 +69,7 @@ Vec3 ToXi(const EdgeFunctions& functions, const EdgeNode& node, const Vec3& x)
   return xi;
 }
 
-/// Of a region's corners, by the affine map of a node, and by how much these may be off.
+/// The images in xi of a region's corners by a node's affine map, with bounds of their errors.
 struct AffineImages
 {
   AffineImages(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
@@ -96,7 +96,7 @@ struct AffineImages
   double besides[3];
 };
 
-/// A xi near which to expand; nothing: proven that the region misses the node.
+/// A xi for the expansion. None is a proof that the region misses the node.
 std::optional<Vec3> FindStart(
   const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
 {
@@ -131,8 +131,8 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
   {
     return false;
   }
-  // Every preimage in `wide` of a point of the region is within `off` of what is between these:
-  // D(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
+  // Every preimage in `wide` of a point of the region is within `off` of the hull of these images:
+  // D(xi) = M (Phi(xi) - origin) - (xi - centre) changes by at most `turn`.
   const AffineImages images(functions, node, region);
   double off[3];
   for (std::size_t k = 0; k < 3; ++k)
@@ -180,7 +180,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
       });
     const Vec3 next = MovedInto(shape, node, view.xi + view.inverse * (middle - view.y));
     const Vec3 moved = next - view.xi;
-    // Written so that a NaN ends it.
+    // The comparison is written so that a NaN ends the loop.
     if (!(glm::dot(moved, moved) > reach))
     {
       break;
@@ -188,7 +188,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     view = functions.ViewAt(next);
   }
 
-  // |xi - view.xi| of the preimages in `wide` of the region's points.
+  // |xi - view.xi| for the preimages in `wide` of the region's points.
   const double inY = slack / functions.Size() + functions.ImageError() +
     kSum * std::max(LargestOf(view.y), farthest(LargestOf));
   double away[3];
@@ -209,14 +209,14 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   Solve(node.solution, away);
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // None of the node's is farther away.
+    // No xi of the node is farther away.
     const int d = static_cast<int>(k);
     away[k] = std::min(away[k], (node.reach[k] + std::fabs(view.xi[d] - node.centre[d])) * kUp);
   }
   std::array<Vec3, Outline::kMaxCorners> steps;
   std::ranges::transform(std::span(ends).first(count), steps.begin(),
     [&](const Vec3& end) { return view.inverse * (end - view.y); });
-  // What the computed Jacobian and its inverse leave of the steps' equations, in y.
+  // The residual of the steps' equations, in y, from the computed Jacobian and its inverse.
   const Vec3 columns =
     glm::abs(view.jacobian[0]) + glm::abs(view.jacobian[1]) + glm::abs(view.jacobian[2]);
   double left = 0.0;
@@ -237,7 +237,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
       farther[k] = std::max(farther[k], std::fabs(steps[i][static_cast<int>(k)]));
     }
   }
-  // They are where the expansion puts them, up to `off`, and so no farther away than that.
+  // The preimages are within `off` of the expansion's, and therefore no farther away than this.
   double off[3];
   for (int round = 0; round < kRounds; ++round)
   {
@@ -274,7 +274,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     {
       curved = std::min(curved, local->Curved(away, slope, node.slopeError));
     }
-    // What is no polynomial, less its own linear expansion.
+    // The part that is no polynomial, minus its own linear expansion.
     double loose = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
     {

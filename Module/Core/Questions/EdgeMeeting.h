@@ -18,7 +18,7 @@ struct WideOutline
   double slack = 0.0;
 };
 
-/// Holds it.
+/// The box that holds the region.
 [[nodiscard]] Box3 BoxOf(const WideOutline& region);
 
 /// An element's affine map with its certified deviation; see ElementBounds.
@@ -35,17 +35,17 @@ private:
   Vec3 Start; ///< in xi, the middle of the shape
   Vec3 Origin;
   Mat3 Inverse;
-  /// Of the element, wider by the deviation.
+  /// The element's ends, moved outwards by the deviation.
   std::array<EdgeNodeEnd, 6> Ends;
 };
 
-/// Of such an edge or polygon and a node.
+/// The result of Meet for a region and a node.
 struct EdgeMeeting
 {
   std::optional<Interval> values; ///< hold those of the node in the region; nothing: there are none
-  // Whether smaller nodes would tell more, because
-  bool bends = false;  ///< the map does, or the field is no polynomial, or
-  bool curves = false; ///< the field does, over a node that is larger than the region
+  // Reasons why smaller nodes would give narrower bounds:
+  bool bends = false;  ///< the map bends, or the field is no polynomial
+  bool curves = false; ///< the field bends, over a node that is larger than the region
 };
 
 /// Whether a region is proven to miss a node's image: by its box and, where the node is regular, by
@@ -53,10 +53,9 @@ struct EdgeMeeting
 [[nodiscard]] bool Misses(
   const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
 
-/// In a regular node, from the second-order expansion about a point of it near the region. More is
-/// found out only as long as the values meet those that are wanted.
-/// `face`: an end of the node that is a face of the element, of which alone values are told; null:
-/// of the whole node.
+/// Bounds the values in a regular node, from the second-order expansion about a point of it near
+/// the region. Refines only while the values meet `wanted`. `face`: an end of the node that is a
+/// face of the element, to bound the values on it alone; null: the whole node.
 [[nodiscard]] EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node,
   const WideOutline& region, const ValueSet& wanted, const EdgeNodeEnd* face = nullptr);
 } // namespace pixelexact

@@ -18,23 +18,24 @@ using namespace edges;
 
 namespace
 {
-/// Of a box's sides, on either side.
+/// The margin on either side of a box, relative to its sides.
 constexpr double kMargin = 0.25;
-/// Row sums of (I - |M J - I|)^-1 up to which a box is regular, with xi counted in lengths in
-/// space.
+/// The largest row sums of (I - |M J - I|)^-1 of a regular box, with xi in lengths in space.
 constexpr double kMaxSolution = 10.0 / 3.0;
-/// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
+/// The fraction of the row sums that the Jacobians along a box's middle lines must explain to
+/// determine the direction.
 constexpr double kExplained = 0.125;
-/// Subdivisions of a box, on which the map is regular, after which bounds of the field are given
-/// up.
+/// Subdivisions of a box on which the map is regular, after which bounds of the field are
+/// abandoned.
 constexpr int kMaxUnbounded = 12;
-/// Of bounds along straight lines, up to which those that are left are worth asking.
+/// Affine bounds of the second derivatives are kept where their remainder is at most this fraction
+/// of the constant bounds along straight lines.
 constexpr double kSharper = 0.5;
 
-/// Across which direction of eta the Jacobian changes most along the middle lines of a box, in the
-/// terms of its row sums with xi in lengths, by the `sides`; nothing where that is not more than
-/// `least` anywhere. Thin elements that bend turn along their length alone, however much wider
-/// their boxes are otherwise.
+/// The direction of eta across which the Jacobian changes most along the middle lines of a box,
+/// measured by its row sums with xi in lengths, `sides`. None where no change exceeds `least`. Thin
+/// elements that bend turn along their length alone, however much wider their boxes are in other
+/// directions.
 std::optional<int> TurningDirection(
   const EdgeFunctions& functions, const EdgeNode& node, const double (&sides)[3], double least)
 {
@@ -93,7 +94,7 @@ void EdgeNode::Describe(const EdgeFunctions& functions, const Interval& those)
   direction = sides[wider] >= sides.z ? wider : 2;
   const EdgeFunctions::MapRanges map = functions.MapOver(wide);
   bounds = map.image;
-  // What follows costs more.
+  // The bounds that follow cost more.
   if (!DescribeMap(functions, map))
   {
     values = functions.NarrowedOver(wide, those);
@@ -167,7 +168,7 @@ void EdgeNode::DescribeCurves(
 {
   const auto& ranges = derivatives.map;
   const auto& components = derivatives.components;
-  // Of all components: the Euclidean norm of bounds bounds that of vectors.
+  // The norm over all components: the Euclidean norm of bounds bounds that of vectors.
   const auto norm = [&components](auto&& of)
   {
     double sum = 0.0;
@@ -239,7 +240,7 @@ void EdgeNode::DescribeCurves(
   regular = finite && std::isfinite(valueError) && std::isfinite(slopeError) &&
     std::isfinite(beside[0] + beside[1] + beside[2]);
   straight = straight && regular;
-  // Where an expression is still not bounded, it has a pole, or is not smooth.
+  // An expression that is still not bounded has a pole, or is not smooth.
   flat = flat || (functions.HasJet() && !regular && subdivisions >= kMaxUnbounded);
 }
 
@@ -259,7 +260,7 @@ void EdgeNode::DescribeSlopes(const EdgePolynomials::Curves& curves)
         sum.slope[k] += factor * bound.slope[k];
         largest += std::fabs(bound.slope[k]);
       }
-      // Of xi - centre, which is no more than 2.
+      // Covers the rounding of xi - centre, which is at most 2.
       sum.radius += size * (bound.radius + 2.0 * kRoundoffs * largest) * kUp;
     };
     add(twice, curves.functions.front()[p], made->curve[p]);

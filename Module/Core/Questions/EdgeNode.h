@@ -21,7 +21,7 @@ struct EdgeNodeEnd
   {
     return offset - (normal[0] * xi.x + normal[1] * xi.y + normal[2] * xi.z);
   }
-  /// By how much points that are off by no more than this may be deeper.
+  /// Bounds the change of depth by a displacement of at most `off`.
   [[nodiscard]] double Across(const double (&off)[3]) const
   {
     return std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] +
@@ -32,7 +32,7 @@ struct EdgeNodeEnd
 /// The six ends of a box, in the order of EndNormals.
 [[nodiscard]] std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box);
 
-/// What is known of a box of eta, made once: derivatives are by xi and in the element's units, and
+/// Bounds for a box of eta, computed once. Derivatives are by xi and in the element's units, and
 /// all bounds hold over `wide`, the box and a margin.
 struct EdgeNode
 {
@@ -41,13 +41,13 @@ struct EdgeNode
   Box3 bounds;     ///< holds the image of `wide`, in world coordinates
   Interval values; ///< of the component over `wide`
 
-  /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with |E| at most
-  /// `turn`, and |(I + E)^-1| at most `solution`.
+  /// The map is so nearly affine over `wide` that M J = I + E with |E| at most `turn`, and |(I +
+  /// E)^-1| at most `solution`.
   bool regular = false;
-  /// So it is whatever xi is counted in: thin elements that bend are only where they bend by less
-  /// than they are thin. Before that halves tell more of the map.
+  /// The box is regular whatever the unit of xi. In thin elements that bend, this holds only for
+  /// boxes that bend by less than the thickness; subdivision improves the bounds of other boxes.
   bool straight = false;
-  bool flat = false;      ///< halves would not be regular, either: the map has no thickness
+  bool flat = false;      ///< no child would be regular: the map has no thickness
   Vec3 centre{ 0.0 };     ///< in xi
   Vec3 origin{ 0.0 };     ///< its image, in the element's units
   double inverse[3][3]{}; ///< M
@@ -63,17 +63,17 @@ struct EdgeNode
     double radius[3][6];
     double error[3];
   };
-  std::unique_ptr<const MapModel> model; ///< where it tells much more than the affine map
+  std::unique_ptr<const MapModel> model; ///< where it is much closer than the affine map
   double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
   double slope[3]{};   ///< |dF / dxi|
   /// F is the sum of a function with the second derivatives below and of one whose derivatives by
-  /// xi are no larger than this: 0 of polynomials.
+  /// xi are at most this: 0 for polynomials.
   double beside[3]{};
   double curve[6]{}; ///< |F''| + slope . bend: of F along straight lines in the world
-  /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. Of a norm, of
-  /// the norm of F''.
+  /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. For a norm,
+  /// ranges of the norm of F''.
   std::array<std::array<Interval, 6>, 4> second;
-  /// Where known: M Phi'' and F'' in terms of xi - centre, mixed ones twice (LocalCurves).
+  /// If known, M Phi'' and F'' as affine bounds in xi - centre, mixed ones twice (LocalCurves).
   struct Slopes
   {
     std::array<EdgePolynomials::SecondBounds, 3> bend;
@@ -88,7 +88,7 @@ struct EdgeNode
   double lean[3]{}; ///< by how much it moves, for a unit in y
   int subdivisions = 0;
 
-  int direction = 0; ///< of eta, across which it is halved
+  int direction = 0; ///< of eta, across which it is subdivided
 
   mutable std::atomic<const std::array<EdgeNode, 2>*> children{ nullptr };
 
@@ -97,11 +97,12 @@ struct EdgeNode
   EdgeNode(const EdgeNode&) = delete;
   EdgeNode& operator=(const EdgeNode&) = delete;
 
-  /// Finds out all that is known of `box`. `those`: hold the component's values over `wide`.
+  /// Computes all bounds for `box`. `those`: encloses the component's values over `wide`.
   void Describe(const EdgeFunctions& functions, const Interval& those);
 
 private:
-  /// Whether the map is regular; tells whether it is straight, and else how to halve.
+  /// Returns whether the map is regular. Sets `straight`, and otherwise the direction of the
+  /// subdivision.
   bool DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::MapRanges& map);
   void DescribeCurves(
     const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives);

@@ -18,12 +18,12 @@ using namespace edges;
 
 namespace
 {
-/// Of the sine of the angle between two sides of a triangle, squared: below, it is a line.
+/// A triangle is a line if the squared sine of the angle between two sides is below this.
 constexpr double kFlat = 1e-6;
-/// Of the width of bounds: a larger part that falls with the node is worth smaller nodes.
+/// Smaller nodes are visited where `loose` exceeds this fraction of the width of the bounds.
 constexpr double kLooseOfPart = 0.5;
 
-/// A part of a plane as seen from a triangle's first corner: x = x0 + s (x1 - x0) + t (x2 - x0).
+/// A part of a plane in coordinates of a triangle: x = x0 + s (x1 - x0) + t (x2 - x0).
 struct InTriangle
 {
   std::array<double, Outline::kMaxCorners> s{};
@@ -44,7 +44,7 @@ std::optional<InTriangle> Seen(
   const double uv = glm::dot(u, v);
   const double vv = glm::dot(v, v);
   const double det = uu * vv - uv * uv;
-  // Written so that a NaN is none.
+  // The comparison is written so that a NaN gives no coordinates.
   if (!(det > kFlat * uu * vv))
   {
     return std::nullopt;
@@ -75,8 +75,8 @@ std::optional<InTriangle> Seen(
   return part;
 }
 
-/// The affine function with the values of a triangle's corners; its error is how far off it is, on
-/// the part, from first + s rises + t rises, and by rounding.
+/// The affine function with the values of a triangle's corners. Its error is the largest
+/// difference, on the part, from first + s rises + t rises, including rounding.
 void FitPlane(const std::array<LocatedPoint, 3>& triangle, const InTriangle& seen,
   const WideOutline& part, PlanarValues& found)
 {
@@ -91,7 +91,8 @@ void FitPlane(const std::array<LocatedPoint, 3>& triangle, const InTriangle& see
   found.first = triangle[0].value;
   found.slope = ((rises[0] * vv - rises[1] * uv) * u + (rises[1] * uu - rises[0] * uv) * v) /
     (uu * vv - uv * uv);
-  // Both are affine, so that the corners tell: whatever was rounded above is in the difference.
+  // Both functions are affine, so that their difference is largest at a corner. It includes all
+  // rounding above.
   double most = 0.0;
   Vec3 farthest(part.slack);
   const auto corners = part.outline.Corners();
@@ -107,8 +108,8 @@ void FitPlane(const std::array<LocatedPoint, 3>& triangle, const InTriangle& see
     kRoundoffs * std::fabs(found.first);
 }
 
-/// Of the sides of a triangle, and of the way from its first corner to a part, in xi: bounds, and
-/// what these leave open.
+/// The sides of a triangle, and the way from its first corner to a part, in xi: bounds, and their
+/// errors.
 struct Ways
 {
   double side[2][3];  ///< between the points as they are known
@@ -118,8 +119,8 @@ struct Ways
   double unsureOfWay[3];
 };
 
-/// A remainder b(w, w) / 2 of second order at s d_1 + t d_2, less s times what it is at d_1, and t
-/// times at d_2: of a form b about `form`, as far off as `beside`.
+/// Bounds a remainder b(w, w) / 2 of second order at s d_1 + t d_2, minus s times that at d_1 and t
+/// times that at d_2. The form b differs from `form` by at most `beside`.
 double BentBetween(
   const InTriangle& part, const Ways& ways, const double (&form)[6], const double (&beside)[6])
 {
@@ -193,7 +194,7 @@ std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
   }
 
   const std::array<double, 3> shift = ShiftOf(node, triangle);
-  // In xi, from the first corner; what is known of the corners adds up to `weight` times.
+  // In xi, from the first corner. The errors of the corners add up to `weight` times one of them.
   const double weight = 1.0 + 2.0 * (seen->mostS + seen->mostT);
   const double inY = (part.slack + seen->off) / Functions.Size();
   const Vec3 sides[2] = { triangle[1].xi - triangle[0].xi, triangle[2].xi - triangle[0].xi };
@@ -226,7 +227,7 @@ std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
     besides[k] = weight * shift[k] + node.lean[k] * inY;
     beside[k] = kBeside + 2.0 * shift[k];
   }
-  // Half of what a form is on the way there, and on the two sides.
+  // Half of the form on the way to the part, and on the two sides.
   const auto halfOf = [&seen, &along = ways.along](const double(&form)[6], const double(&there)[3])
   {
     return 0.5 *
@@ -260,7 +261,7 @@ std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
     Solve(node.solution, own);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      // Written so that a NaN leaves what is known.
+      // The comparison is written so that a NaN keeps the known bound.
       bent[k] = own[k] < bent[k] ? own[k] : bent[k];
       off[k] = bent[k];
     }
@@ -275,7 +276,7 @@ std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
       [&](const EdgeNodeEnd& end)
       {
         const double less = end.Across(off) - (end.ofElement ? end.Across(beside) : 0.0);
-        // Written so that a NaN is not covered.
+        // The comparison is written so that a NaN is not covered.
         return std::ranges::all_of(std::span(places).first(corners.size()),
           [&](const Vec3& place) { return end.DepthOf(place) >= less; });
       });

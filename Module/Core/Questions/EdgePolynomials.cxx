@@ -15,21 +15,22 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the largest coefficients, what lower degrees may leave out; and how many times as many they
-/// must save.
+/// The largest error of lower degrees, relative to the largest coefficients, and the factor by
+/// which they must reduce the number of coefficients.
 constexpr double kLeftOut = 0x1p-26;
 constexpr double kMuchLess = 1.5;
-/// Of each coefficient and degree in two halves, in nanoseconds; and of how many of these the cost
-/// of each has doubled, because they leave the cache.
+/// The cost of subdivision per coefficient and degree, in nanoseconds, and the number of these at
+/// which the cost of each has doubled, because they leave the cache.
 constexpr std::int64_t kCostOfTerms = 9;
 constexpr std::int64_t kManyTerms = 54000;
 constexpr Box3 kWholePiece{ Vec3(-1.0), Vec3(1.0) };
-/// In HessianFunction's list: derivatives by xi, three a function, then six a function; the rest.
+/// Counts in HessianFunction's list: derivatives by xi, three per function, then six per function,
+/// then the factors.
 constexpr std::size_t kSlopes = 3;
 constexpr std::size_t kBends = 6;
 constexpr std::size_t kFirstBend = 4 * kSlopes;
 constexpr std::size_t kFirstFactor = 4 * (kSlopes + kBends);
-/// Of a component, its value among them.
+/// The number of polynomials of a component, with its value.
 constexpr std::size_t kOfEach = 1 + kSlopes + kBends;
 
 using List = std::vector<BoxPolynomial>;
@@ -68,7 +69,7 @@ List AllOf(const ScaledModes& map, const ScaledModes& field, int component, int 
   return HessianFunction::Polynomials(map, field, component, level, piece);
 }
 
-/// Whether nothing is left to divide by.
+/// Whether no divisor remains.
 bool AreByXi(Shape shape, const List& all)
 {
   return shape != Shape::Pyramid &&
@@ -76,8 +77,8 @@ bool AreByXi(Shape shape, const List& all)
       [](const BoxPolynomial& divisor) { return divisor.b.size() == 1; });
 }
 
-/// Of a function of HessianFunction's list, by its chain rule: 11, 12, 13, 22, 23, 33 by xi where
-/// AreByXi, else those by eta as they are.
+/// The second derivatives of a function of HessianFunction's list, by its chain rule: 11, 12, 13,
+/// 22, 23, 33 by xi where AreByXi, else those by eta unchanged.
 List SecondsOf(Shape shape, const List& all, std::size_t function)
 {
   List second = PartOf(all, kFirstBend + function * kBends, kBends);
@@ -181,7 +182,7 @@ std::unique_ptr<const EdgePolynomials> EdgePolynomials::Lowered() const
   {
     return nullptr;
   }
-  // Not make_unique, which sees nothing private.
+  // std::make_unique cannot call the private constructor.
   return std::unique_ptr<const EdgePolynomials>(
     new EdgePolynomials(shape_, std::move(map), Bends.Lowered(kLeftOut), std::move(field)));
 }
@@ -220,8 +221,8 @@ EdgePolynomials::MapHulls EdgePolynomials::MapOver(const Box3& within) const
 std::vector<Vec3> EdgePolynomials::PlacesIn(
   Shape shape, const EtaBox& box, const Vec3& origin, const Degrees& degree)
 {
-  // A coordinate of xi is a product of functions of one eta each, which are of degree 1: its
-  // coefficients are its values on the coefficients' grid.
+  // A coordinate of xi is a product of functions of one eta each, of degree 1, so its coefficients
+  // are its values on the coefficients' grid.
   std::vector<Vec3> places;
   places.reserve(CoefficientCount(degree));
   const auto at = [&](int d, int i) {

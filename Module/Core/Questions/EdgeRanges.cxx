@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What EdgeFunctions knows over boxes, and how far off it is.
+// Bounds of EdgeFunctions over boxes, with their errors.
 #include "Core/Element/Ranges.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
@@ -17,11 +17,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Of two halves, in nanoseconds, beside what their polynomials cost (EdgePolynomials); and the
-/// part of that of pieces that are side by side, in most of which a box ends nowhere.
+/// The cost of two child nodes in nanoseconds, without that of their polynomials (EdgePolynomials),
+/// and the divisor of the latter over neighbouring pieces: in most of them no box ends.
 constexpr std::int64_t kCostOfNodes = 25000;
 constexpr std::int64_t kShareOfPieces = 4;
-/// Subdivisions of each direction after which det J is given up.
+/// The largest depth of subdivision in each direction to bound det J.
 constexpr int kMaxOfDivisor = 4;
 
 AffineBound Scaled(const AffineBound& bound, int exponent)
@@ -31,7 +31,7 @@ AffineBound Scaled(const AffineBound& bound, int exponent)
     by * bound.radius + std::numeric_limits<double>::min() };
 }
 
-/// As a function of (xi - the middle) / reach.
+/// The same as a function of (xi - the middle) / reach.
 AffineForm FormOver(const AffineBound& bound, const Vec3& reach)
 {
   AffineForm form;
@@ -48,7 +48,7 @@ AffineForm FormOver(const AffineBound& bound, const Vec3& reach)
   return form;
 }
 
-/// The other way round.
+/// The inverse of FormOver.
 AffineBound BoundOf(const AffineForm& form, const Vec3& reach)
 {
   AffineBound bound;
@@ -65,7 +65,7 @@ AffineBound BoundOf(const AffineForm& form, const Vec3& reach)
   return bound;
 }
 
-/// Of two parts of a box: the slopes' ranges.
+/// Joins the bounds over two parts of a box; slopes become ranges.
 JetBounds Join(const JetBounds& a, const JetBounds& b)
 {
   JetBounds both = a;
@@ -95,7 +95,7 @@ Interval Widened(const Interval& range, double slack)
   return range + Interval(-slack, slack);
 }
 
-/// By order of the derivative.
+/// Widens the ranges by `slack`, by order of the derivative.
 void Widen(HessianFunction::XiRanges& ranges, Interval& value, const std::array<double, 3>& slack)
 {
   value = Widened(value, slack[0]);
@@ -109,7 +109,7 @@ void Widen(HessianFunction::XiRanges& ranges, Interval& value, const std::array<
   }
 }
 
-/// Of a numerator, which becomes the quotient F = N / D; returns F.
+/// Divides the ranges of a numerator, which become those of the quotient F = N / D. Returns F.
 Interval Divide(HessianFunction::XiRanges& ranges, const HessianFunction::XiRanges& divisor,
   const Interval& numerator, const Interval& by)
 {
@@ -152,7 +152,7 @@ void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& 
   const auto make = [&]
   {
     auto full = std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece);
-    // Over a piece functions are of lower degree than over the element, but for little.
+    // Over a piece, functions have a lower degree than over the element, up to a small error.
     auto lowered = Level > 0 ? full->Lowered() : nullptr;
     return lowered ? std::move(lowered) : std::move(full);
   };
@@ -372,8 +372,8 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
   return ranges;
 }
 
-/// What all pieces that the box meets tell of the jet. The slopes are those of a jet in one piece;
-/// of several, their ranges.
+/// Bounds of the jet over all pieces that the box meets. In one piece, the slopes are affine forms;
+/// over several pieces, ranges.
 JetBounds EdgeFunctions::JetOver(const EtaBox& box) const
 {
   const Vec3 centre = CentreOf(GetShape(), box);
@@ -408,7 +408,7 @@ std::unique_ptr<const PolynomialBatch> EdgeFunctions::MakeJetBatch(
   const PieceForm::Piece& piece) const
 {
   const std::vector<BoxPolynomial> polynomials = Jet->Polynomials(Level, piece);
-  // At least affine in each direction, as xi is.
+  // The degree is at least 1 in each direction, as that of xi.
   Degrees degree{ 1, 1, 1 };
   for (const BoxPolynomial& one : polynomials)
   {
@@ -518,7 +518,7 @@ EdgeFunctions::Errors EdgeFunctions::ErrorsWith(const Derivatives& derivatives) 
   {
     return { Error, SlopeError };
   }
-  // N / D moves by (dN + F dD) / D, and its slope is (N' - F D') / D.
+  // The error of N / D is (dN + F dD) / D, and its slope is (N' - F D') / D.
   const Interval& by = derivatives.divisor;
   const double least = by.Contains(0.0) ? 0.0 : std::min(std::fabs(by.lower), std::fabs(by.upper));
   const double most = derivatives.values.Magnitude();

@@ -18,11 +18,11 @@ using namespace edges;
 
 namespace
 {
-/// Of Newton's iteration towards where a sheet leaves its element.
+/// Newton steps towards the place where a sheet leaves its element.
 constexpr int kExitSteps = 8;
-/// Subdivisions of a node for a chord.
+/// The largest number of subdivisions of a node for a chord.
 constexpr int kSmaller = 6;
-/// In xi, after a step: far less than what exits are beside the element.
+/// The largest last step, in xi: far less than exits are outside the element.
 constexpr double kArrived = 1e-12;
 } // namespace
 
@@ -42,7 +42,7 @@ std::optional<SheetExit> OnSheet::ExitOf(const SheetPoint& from, const SheetPoin
     const Mat3 W = glm::inverse(at.jacobian);
     const Vec3 w = W * directionAt(exit.part);
     const Vec3 q = w / glm::dot(at.gradient, w);
-    // Where the ray through c(u) meets the sheet, to first order: base + u along.
+    // The place where the ray through c(u) meets the sheet, to first order: base + u along.
     const Vec3 back = W * (at.y - Of.InUnits(from.x));
     const Vec3 forth = W * chord;
     const Vec3 base = exit.point.xi - back + q * (glm::dot(at.gradient, back) - at.f);
@@ -53,7 +53,8 @@ std::optional<SheetExit> OnSheet::ExitOf(const SheetPoint& from, const SheetPoin
       const EdgeNodeEnd& end = Ends[k];
       const double outwards =
         end.normal[0] * along.x + end.normal[1] * along.y + end.normal[2] * along.z;
-      // Half of what a path may be beside the element, for the neighbour's to overlap.
+      // Half of the distance that a path may be outside the element, so that it overlaps with the
+      // neighbour's.
       constexpr double kHalf[3] = { 0.5 * kOverlap, 0.5 * kOverlap, 0.5 * kOverlap };
       if (k != Own && outwards > 0.0)
       {
@@ -65,7 +66,7 @@ std::optional<SheetExit> OnSheet::ExitOf(const SheetPoint& from, const SheetPoin
     const bool arrived = glm::length(moved) <= kArrived;
     exit.point.xi = next;
     exit.part = part;
-    // Written so that a NaN ends it.
+    // The comparison is written so that a NaN ends the search.
     if (!(part >= 0.0 && part <= 1.0))
     {
       return std::nullopt;
@@ -98,7 +99,7 @@ double OnSheet::Sagitta(const EdgeTree& tree, const SheetPoint& a, const SheetPo
   const auto etaOf = [this](const Vec3& xi)
   { return glm::clamp(ReferenceToTensor(Of.GetShape(), xi), Vec3(-1.0), Vec3(1.0)); };
   const Vec3 etas[3] = { etaOf(a.xi), etaOf(b.xi), etaOf(middle) };
-  // Where rays nearly touch the sheet, smaller nodes tell more.
+  // Where rays nearly touch the sheet, smaller nodes give better bounds.
   const EdgeNode* node = &tree.LeafAt(etas[2], nullptr);
   double sagitta = Sagitta(*node, *pencil, a, b, at);
   for (int k = 0; k < kSmaller && !std::isfinite(sagitta) && node->regular; ++k)
@@ -123,7 +124,7 @@ bool EdgeBounds::MayMeet(
   {
     return MayTake(value, region, effort);
   }
-  // As MayTake, in the nodes at the face.
+  // Works as MayTake, in the nodes at the face.
   const std::size_t own = EndOfFace(Functions.GetShape(), sheet.face);
   const auto mayMeet = [&](const auto& self, const EdgeNode& node) -> bool
   {

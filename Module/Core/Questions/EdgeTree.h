@@ -14,12 +14,12 @@ namespace pixelexact
 /// The cost of visiting a node, in nanoseconds.
 inline constexpr std::int64_t kCostOfLook = 50;
 
-/// What is known of an element's boxes of eta, each made where somebody first asks. Safe to use
+/// The tree of an element's boxes of eta with their bounds, each computed on first use. Safe to use
 /// from several threads.
 class EdgeTree
 {
 public:
-  /// `functions` must outlive it, and be finite where nodes are asked for.
+  /// `functions` must outlive the tree, and be finite.
   explicit EdgeTree(const EdgeFunctions& functions)
     : Functions(functions)
   {
@@ -27,18 +27,19 @@ public:
 
   [[nodiscard]] const EdgeNode& Whole() const;
   [[nodiscard]] const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
-  /// Whether halves of a node are worth it, and `work` is left for them; null: any.
+  /// Whether a node may be subdivided: it is not flat or too small, and the budget `work` allows
+  /// it; null: without a limit.
   [[nodiscard]] bool CanSplit(const EdgeNode& node, EdgeWork* work) const
   {
     return !node.flat && node.subdivisions < Functions.Deepest(node.regular) &&
       (!work || Affords(node, *work));
   }
-  /// The regular half of a regular node that holds all of these eta, with its margin; null where
-  /// there is none, or no work is left for it.
+  /// The regular child of a regular node that holds all of these eta, with its margin. Null where
+  /// there is none, or the budget is exhausted.
   [[nodiscard]] const EdgeNode* SmallerWith(
     const EdgeNode& node, std::span<const Vec3> etas, EdgeWork* work) const;
-  /// The largest regular node with this eta, that is straight, too, if so wanted; the last one,
-  /// where there is none.
+  /// The largest regular node with this eta; with `straight`, the largest one that is also
+  /// straight. Returns the last node visited where there is none, or the budget is exhausted.
   [[nodiscard]] const EdgeNode& LeafAt(
     const Vec3& eta, EdgeWork* work, bool straight = false) const;
 

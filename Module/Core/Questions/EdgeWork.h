@@ -10,45 +10,46 @@ namespace pixelexact
 {
 struct EdgeNode;
 
-/// What some questions may spend together, on samples, on looking at nodes and on halving them:
-/// each halving costs once, whether its halves are kept from earlier questions or not, so that
-/// answers do not depend on what is kept. For one thread.
+/// Work budget of several queries: samples, visits of nodes, and subdivisions. Each subdivision
+/// costs once, whether the tree keeps it from earlier queries or not, so that results do not depend
+/// on what is kept. For one thread.
 class EdgeWork
 {
 public:
-  /// `most`: about the nanoseconds of one core.
+  /// `most`: in about nanoseconds of one core.
   explicit EdgeWork(std::int64_t most)
     : Most(most)
     , Left(most)
   {
   }
 
-  /// For more questions of the same kind: what was halved for earlier ones is not paid again.
+  /// Resets the budget for more queries of the same kind. Subdivisions of earlier queries stay
+  /// paid.
   void GoOn(std::int64_t most)
   {
     Most = Left = most;
     Kept = 0;
     Refused = false;
   }
-  /// The questions are of a part of a surface that is about as wide, in world units: what is made
-  /// of larger boxes serves others, too, and costs these as large a part as they see of it.
+  /// Sets the width, in world units, of the part of a surface that the queries belong to. Larger
+  /// boxes serve other queries as well, and cost these queries only their share.
   void SetWidth(double width) { Width = width; }
-  /// The part that they see of a box with these sides, at most; all, where there is no width.
+  /// Bounds the share of a box with these sides that the queries need; 1 where no width is set.
   [[nodiscard]] double PartOf(const std::array<double, 3>& sides) const
   {
-    // A surface meets what lies across two of them.
+    // A surface crosses a box along its two longest sides.
     std::array<double, 3> sorted = sides;
     std::ranges::sort(sorted);
     return Width > 0.0 ? std::min(1.0, Width / sorted[1]) * std::min(1.0, Width / sorted[2]) : 1.0;
   }
-  /// From now on so much of it has to be left, for questions that come later: a part, 0 to 1.
+  /// From now on reserves this fraction of the budget, 0 to 1, for later queries.
   void Reserve(double part) { Kept = static_cast<std::int64_t>(part * static_cast<double>(Most)); }
 
-  /// Looks at something, which is done anyhow.
+  /// Charges work that cannot be refused.
   void Spend(std::int64_t cost) { Left -= cost; }
-  /// Whether any is left; what is not done for want of it is remembered.
+  /// Whether any budget remains. A refusal is remembered.
   [[nodiscard]] bool IsLeft() { return Affords(0); }
-  /// Whether the halves of a node may be looked at, which costs so much the first time.
+  /// Whether the budget allows the subdivision of a node, which costs `cost` the first time.
   [[nodiscard]] bool Affords(const EdgeNode& node, std::int64_t cost)
   {
     if (Subdivided.contains(&node))
@@ -71,7 +72,7 @@ public:
   }
 
   [[nodiscard]] std::int64_t Spent() const { return Most - Left; }
-  /// Whether anything was left undone for want of work.
+  /// Whether any work was refused.
   [[nodiscard]] bool IsSpent() const { return Refused; }
 
 private:

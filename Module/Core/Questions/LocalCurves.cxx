@@ -18,7 +18,7 @@ double At(const AffineBound& bound, const Vec3& x)
   return bound.value + bound.slope[0] * x.x + bound.slope[1] * x.y + bound.slope[2] * x.z;
 }
 
-/// Of row sums of what inverting leaves.
+/// The largest row sum of the residual of an inverse.
 constexpr double kMaxOff = 1e-3;
 
 double MagnitudeOf(const double (&form)[6], const double (&away)[3])
@@ -28,7 +28,7 @@ double MagnitudeOf(const double (&form)[6], const double (&away)[3])
   return edges::Quadratic(magnitudes, away);
 }
 
-/// The integral of 2 (1 - t) t over [0, 1] is a third.
+/// The factor 1/3 is the integral of 2 (1 - t) t over [0, 1].
 double Beside(const AffineBound& bound, const std::array<double, 3>& away)
 {
   return (bound.radius +
@@ -97,7 +97,7 @@ LocalExpansion::LocalExpansion(
       size += std::fabs(inverse[j][k]) * edges::SumOf({ turned[0][j], turned[1][j], turned[2][j] });
     }
     Turn[k] += edges::kRoundoffs * size;
-    // Written so that a NaN is not known.
+    // The comparison is written so that a NaN is not known.
     Known = Known && Turn[k] <= kMaxOff;
     for (std::size_t p = 0; p < 6; ++p)
     {
@@ -124,7 +124,7 @@ void LocalExpansion::Off(const double (&away)[3], double (&off)[3])
     off[k] = edges::Quadratic(form, away);
     for (std::size_t j = 0; j < 3; ++j)
     {
-      // Rounding of Bend's sums, too.
+      // Includes the rounding of Bend's sums.
       off[k] += std::fabs(Inverse[k][j]) *
         (beside[j] + edges::kRoundoffs * MagnitudeOf(Curves.bend[j], away));
     }

@@ -5,21 +5,21 @@
 
 namespace pixelexact
 {
-/// Taylor's remainders of second order of a node's map and component about one of its xi: sharper
-/// than what the node's largest second derivatives tell, because these are known there, and how
-/// they change. With d = xi - at, of any xi of EdgeNode::wide,
+/// Bounds the second-order Taylor remainders of a node's map and component about one of its xi.
+/// They are sharper than bounds from the node's largest second derivatives, because the second
+/// derivatives there, and their changes, are known. With d = xi - at, for any xi of EdgeNode::wide,
 ///
 ///   M (Phi(xi) - Phi(at) - Phi'(at) d) = 1/2 (B + b) d d,    |b| <= LocalCurves::bends,
 ///   F(xi) - F(at) - F'(at) d = 1/2 (C + c) d d,              |c| <= LocalCurves::curves,
 ///
-/// as far off as |d| <= away. Mixed terms count twice.
+/// where |d| <= away. Mixed terms count twice.
 class LocalCurves
 {
 public:
-  /// `node`: one with slopes.
+  /// `node` must have slopes.
   LocalCurves(const EdgeNode& node, const Vec3& at);
 
-  /// Bounds what is beside `bend` and `curve` no farther away than this.
+  /// Sets `bends` and `curves`, the bounds over |d| <= away.
   void Reach(const std::array<double, 3>& away);
 
   double bend[3][6]{};  ///< B
@@ -31,23 +31,23 @@ private:
   const EdgeNode::Slopes& Slopes;
 };
 
-/// The same by xi, where the map's Jacobian J is known, for the way back from the map's values:
+/// Bounds the same remainders for the inverse of the map, where the map's Jacobian J is known:
 ///
 ///   xi - at - J^-1 (Phi(xi) - Phi(at)) = off,
 ///   F(xi) - F(at) - F'(at) J^-1 (Phi(xi) - Phi(at)) = curved,
 ///
-/// what the map's and the component's curves have in common being left out.
+/// without the part that the second derivatives of the map and of the component have in common.
 class LocalExpansion
 {
 public:
-  /// `node`: one with slopes. `slopeError`: of the view's Jacobian.
+  /// `node` must have slopes. `slopeError`: of the view's Jacobian.
   LocalExpansion(const EdgeNode& node, const EdgeFunctions::View& view, double slopeError);
 
-  /// False where J is nearly singular: nothing else may be asked then.
+  /// False where J is nearly singular. The other functions must not be called then.
   [[nodiscard]] bool IsKnown() const { return Known; }
-  /// Bounds off where |xi - at| <= away.
+  /// Bounds `off` where |xi - at| <= away.
   void Off(const double (&away)[3], double (&off)[3]);
-  /// Bounds curved there. `slope`: F'(at), each good to `error`.
+  /// Bounds `curved` there. `slope`: F'(at), each with an error of at most `error`.
   [[nodiscard]] double Curved(const double (&away)[3], const Vec3& slope, double error);
 
 private:

@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of [0,1] and `t`, what is left where start + t along meets a range.
+/// The part of `t` where start + t along meets a range.
 Interval Meet(
   const Interval& t, const Interval& start, const Interval& along, const Interval& range)
 {
@@ -23,18 +23,18 @@ Interval Meet(
   {
     return { 1.0, 0.0 };
   }
-  // Everything, where `along` may be zero.
+  // The quotient is -inf to inf where `along` may be zero.
   return Intersect(t, (range - start) / along);
 }
 
-/// A coordinate of an end that may be off by `slack`.
+/// The enclosure of a coordinate of an end that may be off by `slack`.
 Interval EndOf(double at, double slack)
 {
   return slack == 0.0 ? Interval(at) : Interval(at) + Interval(-slack, slack);
 }
 
-/// TensorToReference of a box. Each eta appears once in a product of factors that are not negative:
-/// nothing is lost.
+/// TensorToReference of a box. Each eta appears once in a product of factors that are not negative,
+/// so the enclosure is exact up to rounding.
 std::array<Interval, 3> XiOf(Shape shape, const EtaBox& box)
 {
   std::array<Interval, 3> eta;
@@ -65,8 +65,8 @@ class SegmentFrame
 public:
   SegmentFrame(const InverseProblem& problem, const Segment& segment);
 
-  /// All t of [0,1] where the segment may lie in the node; empty where it misses it: by its hull,
-  /// its frame and the planes at its ends.
+  /// Encloses all t of [0,1] where the segment may lie in the node, by its hull, its frame and the
+  /// planes at its ends. Empty where it misses the node.
   [[nodiscard]] Interval Clip(Shape shape, const NodeFrame& node) const;
 
 private:
@@ -83,7 +83,7 @@ SegmentFrame::SegmentFrame(const InverseProblem& problem, const Segment& segment
     const Interval scale(problem.inverseSize);
     const Interval from = EndOf(segment.from[at], segment.slack);
     const Interval to = EndOf(segment.to[at], segment.slack);
-    // Where from is a NaN, so are the ends, and nothing is excluded.
+    // A NaN in `from` makes the ends NaN, and nothing is excluded.
     const bool sound = from.IsFinite() && to.IsFinite();
     Start[c] = sound ? (from - Interval(problem.centre[c])) * scale : Interval::Everything();
     Along[c] = sound ? (to - from) * scale : Interval::Everything();
@@ -105,7 +105,7 @@ Interval SegmentFrame::Clip(Shape shape, const NodeFrame& node) const
   {
     return t;
   }
-  // What is left of t where base + weights . (y - origin) lies in a range.
+  // Restricts t to where base + weights . (y - origin) lies in a range.
   const auto meet = [&](double base, std::span<const double, 3> weights, const Interval& range)
   {
     Interval start(base);
@@ -139,7 +139,8 @@ Interval SegmentFrame::Clip(Shape shape, const NodeFrame& node) const
   return t;
 }
 
-/// Down to where nodes miss the segment; `left` counts those that may still be looked at.
+/// Subdivides the element until its nodes miss the segment. `left` is the remaining number of
+/// visits.
 bool MissesElement(const ElementIndex& index, int element, const Segment& segment, int& left)
 {
   const auto tree = index.TreeOf(element);

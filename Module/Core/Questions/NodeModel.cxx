@@ -20,23 +20,24 @@ using namespace edges;
 
 namespace
 {
-/// Of a node's size, by which the map is off the affine one where the model is worth asking, and
-/// what of it, and of the size, the model may leave open.
+/// Limits relative to a node's size. The model is useful where the map differs from the affine one
+/// by more than kTurned, and where its remainder is below kLeft of that difference plus kLeftOfSize
+/// of the size.
 constexpr double kTurned = 0.05;
 constexpr double kLeft = 0.25;
 constexpr double kLeftOfSize = 0.005;
-/// Of Newton's iteration.
+/// Limits of Newton's iteration.
 constexpr int kModelSteps = 2;
 constexpr int kModelRounds = 3;
 
-/// D(xi) = M (Phi(xi) - origin) - (xi - centre) is at most this.
+/// Bounds D(xi) = M (Phi(xi) - origin) - (xi - centre).
 double TurnedIn(const EdgeNode& node, std::size_t k)
 {
   const double(&turn)[3] = node.turn[k];
   return turn[0] * node.reach[0] + turn[1] * node.reach[1] + turn[2] * node.reach[2];
 }
 
-/// The model without what is left open, and its slopes.
+/// The model without its remainder, and its slopes.
 struct AtPoint
 {
   AtPoint(const EdgeNode::MapModel& model, const Vec3& d)
@@ -101,7 +102,7 @@ std::optional<Vec3> FindByModel(
     about = AtPoint(model, at);
   }
 
-  // Bounds |xi - at| of the preimages: they are no farther from the affine map's than D is large.
+  // Bounds |xi - at| for the preimages: their distance from the affine map's is at most D.
   std::array<Vec3, Outline::kMaxCorners> places;
   double away[3] = {};
   double farther[3] = {};
@@ -195,11 +196,11 @@ void EdgeNode::DescribeModel(
       made->radius[k][p] = twice * entry.RadiusAround(middle);
       terms += std::fabs(made->bend[k][p]) * reach[kRows[p]] * reach[kColumns[p]];
     }
-    // Of the way the model is evaluated, too.
+    // Includes the rounding of the model's evaluation.
     made->error[k] = (lean[k] * unsure + kRoundoffs * terms) * kUp;
     const double turned = TurnedIn(*this, k);
     isTurned = isTurned || turned > kTurned * reach[k];
-    // Written so that a NaN is not known.
+    // The comparison is written so that a NaN is not known.
     isKnown =
       isKnown && 0.5 * Quadratic(made->radius[k], reach) <= kLeft * turned + kLeftOfSize * reach[k];
   }

@@ -31,11 +31,11 @@ namespace pixelexact
 {
 namespace edges
 {
-/// By how much a path on a sheet may leave the element, in xi: far less than would be seen, and
-/// enough for those of two elements to overlap.
+/// The distance, in xi, by which a path on a sheet may leave the element: far less than is visible,
+/// and enough for the paths of two elements to overlap.
 inline constexpr double kOverlap = 1e-10;
-/// A ray is not known to cross the sheet where g . w is so much smaller than its terms; then q is
-/// good to kSteep.
+/// A ray is not known to cross the sheet where g . w is this much smaller than its terms. Otherwise
+/// the error of q is at most kSteep.
 inline constexpr double kGrazing = 1e-6;
 inline constexpr double kSteep = 1e-8;
 
@@ -56,7 +56,7 @@ inline Numbers Magnitudes(const Vec3& v)
 }
 } // namespace edges
 
-/// Which of the element's ends (EndsOf) a face is.
+/// The element's end (EndsOf) that a face is.
 [[nodiscard]] std::size_t EndOfFace(Shape shape, int face);
 
 /// A sheet of an element.
@@ -83,7 +83,7 @@ public:
     return all;
   }
 
-  /// N's numbers at a point, for all rays between two.
+  /// The terms of N at a point, for all rays between two.
   struct Pencil
   {
     Mat3 inverse{ 0.0 };    ///< W
@@ -95,7 +95,7 @@ public:
   [[nodiscard]] std::optional<Pencil> PencilOf(
     const Values& at, const Vec3& first, const Vec3& last) const;
 
-  /// With what is known of the tree's boxes.
+  /// Bounds the sagitta with the nodes of the tree.
   [[nodiscard]] double Sagitta(
     const EdgeTree& tree, const SheetPoint& a, const SheetPoint& b) const;
   [[nodiscard]] double Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetPoint& a,
@@ -105,8 +105,8 @@ public:
 
 private:
   void Evaluate(std::span<const Vec3> xi, std::span<Values> all) const;
-  /// |f''| over a node, mixed ones twice: as far from the path's first point as that, if f is a
-  /// norm.
+  /// Bounds |f''| over a node, mixed ones twice. If f is a norm, the bound holds up to the distance
+  /// `near` from the path's first point.
   struct Bent
   {
     double at[6]{};
@@ -116,7 +116,7 @@ private:
   [[nodiscard]] double SlopeErrorOf(const EdgeNode& node, const Values& at) const;
   [[nodiscard]] double ErrorOf(const Values& at) const;
 
-  /// The boxes about the points of a path, all of them 4 u (1 - u) `middle` + `end` to each side.
+  /// The boxes about the points of a path, each with half widths 4 u (1 - u) `middle` + `end`.
   struct Tube
   {
     edges::Numbers middle;
@@ -128,7 +128,7 @@ private:
     const edges::Numbers& end) const;
   [[nodiscard]] bool IsInside(
     const EdgeNode& node, const Vec3& a, const Vec3& b, const Tube& tube) const;
-  /// Of g . W Phi(xi(u)) - f(xi(u)), by u.
+  /// Bounds the second derivative by u of g . W Phi(xi(u)) - f(xi(u)).
   [[nodiscard]] double BendAlong(const EdgeNode& node, const Pencil& pencil, const Values& at,
     const Vec3& d, const Bent& f) const;
   [[nodiscard]] bool IsNorm() const { return sheet_.face < 0 && Of.Components() > 1; }

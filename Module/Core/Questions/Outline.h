@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// A segment, or a flat convex polygon of up to four corners, and what half-spaces leave of it.
+/// A segment, or a flat convex polygon of up to four corners, clipped by half-spaces.
 class Outline
 {
 public:
@@ -35,8 +35,8 @@ public:
   [[nodiscard]] bool IsEmpty() const { return Count == 0; }
   [[nodiscard]] Vec3 Middle() const;
 
-  /// Keeps the points where depth(x), which is affine, is not negative, and some next to these, for
-  /// rounding. At most kMaxCuts times.
+  /// Clips to the points where depth(x), which is affine, is not negative, and some points next to
+  /// these, for rounding. At most kMaxCuts times.
   template <class Depth>
   void Keep(const Depth& depth);
   static constexpr std::size_t kMaxCuts = 7;
@@ -59,7 +59,7 @@ inline Vec3 Outline::Middle() const
 template <class Depth>
 void Outline::Keep(const Depth& depth)
 {
-  /// Of a side, by which cuts are moved outwards.
+  /// Cuts are moved outwards by this fraction of a side.
   constexpr double kBeside = 1e-12;
   std::array<double, kMaxCorners + kMaxCuts> depths;
   bool any = false;
@@ -67,7 +67,7 @@ void Outline::Keep(const Depth& depth)
   for (std::size_t k = 0; k < Count; ++k)
   {
     depths[k] = depth(Points[k]);
-    // Written so that a NaN is kept.
+    // The comparison is written so that a NaN is kept.
     any = any || !(depths[k] < 0.0);
     all = all && !(depths[k] < 0.0);
   }

@@ -27,14 +27,14 @@ constexpr Interval kNoValue{ 1.0, -1.0 };
 
 /// Points along a line for each degree of a polynomial.
 constexpr int kDensity = 2;
-/// Covers the rounding of modes and of sums of some ten thousand numbers in blocks, as a part of
-/// the sum of their magnitudes: some hundred of 2^-64 each, in long double with 64 bits of
+/// Covers the rounding of modes and of sums of about ten thousand numbers in blocks, relative to
+/// the sum of their magnitudes: about a hundred of 2^-64 each, in long double with 64 bits of
 /// mantissa.
 constexpr Long kSumRounding = 0x1p-55L;
 constexpr std::size_t kBlock = 64;
 
-/// Proven bounds of a component on a part of an element, and how far the rounding of its
-/// coefficients may have moved it.
+/// Proven bounds of a component on a part of an element, and of its change by the rounding of its
+/// coefficients.
 struct Level
 {
   Long lower;
@@ -42,7 +42,7 @@ struct Level
   Long unsure;
 };
 
-/// Of one level its values; of several the values of the norm.
+/// The values that a component holds; for several components, the values of their norm.
 Interval HeldBy(std::span<const Level> levels, int exponent)
 {
   Level all = levels.front();
@@ -61,7 +61,7 @@ Interval HeldBy(std::span<const Level> levels, int exponent)
   }
   const Long least = all.upper - all.unsure;
   const Long most = all.lower + all.unsure;
-  // Written so that a NaN holds nothing.
+  // The comparison is written so that a NaN holds nothing.
   if (!(least <= most))
   {
     return kNoValue;
@@ -127,7 +127,8 @@ std::vector<Long> PointsFor(int degree)
   return points;
 }
 
-/// TensorToReference: in doubles points would lie beside a slanted face by what is measured here.
+/// TensorToReference in long double: in doubles, points would be off a slanted face by as much as
+/// is measured here.
 LongVec3 InXi(Shape shape, const LongVec3& eta)
 {
   const auto collapse = [](Long y, Long z) { return (1.0L + y) * (1.0L - z) / 2.0L - 1.0L; };
@@ -171,7 +172,7 @@ Interval HeldOnFace(const ScaledModes& modes, int components, const ShapeFace& f
     const int degree = modes.space.TensorDegree()[d];
     const bool fixed = static_cast<int>(d) == face.direction;
     lines[d] = fixed ? std::vector{ face.upper ? 1.0L : -1.0L } : PointsFor(degree);
-    // A hundredth for the rounding of the points.
+    // A hundredth covers the rounding of the points.
     factor /=
       fixed || degree == 0 ? 1.0L : std::cos(std::numbers::pi_v<Long> / (2 * kDensity)) / 1.01L;
   }

@@ -11,8 +11,8 @@
 
 namespace pixelexact
 {
-/// Plateaus: parts of an element on which a component has one value as far as its coefficients
-/// tell, such as walls on which a solver prescribes it.
+/// Plateaus are parts of an element on which a component has one value up to the precision of its
+/// coefficients, such as walls on which a solver prescribes it.
 ///
 /// Coefficients are results of conversions, which round. A coefficient is therefore known to
 /// u max|c| at best (u = 2^-53, c all coefficients of the component in the element), and that
@@ -27,37 +27,40 @@ namespace pixelexact
 /// exponent times 2^exponent (world values); it is empty where none is. `modes`: of `components`
 /// (at least 1) components; of several it is their Euclidean norm. All must be finite.
 
-/// On all of the element.
+/// The values that the component holds on the whole element.
 [[nodiscard]] Interval HeldInElement(const ScaledModes& modes, int components);
 
-/// On all of a face. Costs about 4 (degree + 1)^2 evaluations of all modes in long double.
+/// The values that the component holds on a whole face. Costs about 4 (degree + 1)^2 evaluations of
+/// all modes in long double.
 [[nodiscard]] Interval HeldOnFace(const ScaledModes& modes, int components, const ShapeFace& face);
 
-/// n . x = offset, in the units of an element: n . Phi(xi) - offset is zero on the plane.
+/// The plane n . x = offset, in the units of an element: n . Phi(xi) - offset is zero on it.
 struct PlaneInElement
 {
   Vec3 normal{ 0.0 };
   double offset = 0.0;
 };
 
-/// On all of a plane in the element, where the component is v + lambda (n . Phi - offset) with a
-/// constant lambda: of other components none is found. rho grows by |lambda| times what the same
-/// rounding of the map and of the plane's offset can move n . Phi - offset.
+/// The values that the component holds on the part of a plane in the element, where the component
+/// is v + lambda (n . Phi - offset) with a constant lambda. For other components none is found. rho
+/// grows by |lambda| times the change of n . Phi - offset by the same rounding of the map and of
+/// the plane's offset.
 [[nodiscard]] Interval HeldOnPlane(
   const ScaledModes& modes, int components, const ScaledModes& map, const PlaneInElement& plane);
 
-/// The same of one element, kept. Safe to use from several threads. Mesh and field must outlive it.
+/// Computes and keeps the plateaus of one element. Safe to use from several threads. Mesh and field
+/// must outlive it.
 class ElementPlateaus
 {
 public:
-  /// `component`: or -1: the Euclidean norm of all. Of mapped fields, of functions without
-  /// coefficients, and of fields that are not finite there, nothing is held.
+  /// `component`: one of the field's, or -1: the Euclidean norm of all. Mapped fields, functions
+  /// without coefficients, and fields that are not finite in the element hold nothing.
   ElementPlateaus(const Mesh& mesh, int element, const Field& field, int component);
 
   [[nodiscard]] const Interval& InElement() const;
-  /// `face`: of FacesOf.
+  /// `face`: as in FacesOf.
   [[nodiscard]] const Interval& OnFace(int face) const;
-  /// In world coordinates; made each time.
+  /// The plane is in world coordinates. The result is computed at each call.
   [[nodiscard]] Interval OnPlane(const Vec3& point, const Vec3& normal) const;
 
 private:

@@ -17,21 +17,21 @@ struct QuotientModes
 {
   ScaledModes numerators; ///< of each component, in world values times det J of the element's units
   ScaledModes divisor;    ///< det J in the element's units; in the numerators' space
-  /// How far the two polynomials are off the exact ones, at most: each component, and det J.
+  /// Bounds the errors of the two polynomials: of each component, and of det J.
   double numeratorSlack = 0.0;
   double divisorSlack = 0.0;
-  /// How far off the two are as ApplyMapping's kernels make them.
+  /// Bounds the errors of the two as ApplyMapping's kernels compute them.
   double numeratorError = 0.0;
   double divisorError = 0.0;
 
-  /// What slack becomes in derivatives by xi: by Markov's inequality in convex bodies (D.
-  /// Wilhelmsen, J. Approx. Theory 11, 1974), of shapes that are at least 1 wide.
+  /// The factor from slack to that of derivatives by xi, by Markov's inequality in convex bodies
+  /// (D. Wilhelmsen, J. Approx. Theory 11, 1974), for shapes that are at least 1 wide.
   [[nodiscard]] double SlopeFactor() const;
 };
 
-/// `component`: of the field; -1: all. Nothing on pyramids, where neither is a polynomial in xi,
-/// for products of orders above 16, and for modes that are not finite. `rounding`: of the kernels'
-/// F, as EdgeBounds takes it.
+/// `component`: of the field; -1: all. None on pyramids, where neither is a polynomial in xi, for
+/// products of orders above 16, and for modes that are not finite. `rounding`: of the kernels' F,
+/// as EdgeBounds takes it.
 std::optional<QuotientModes> MakeQuotientModes(
   const Mesh& mesh, int element, const Field& field, int component, double rounding = 0.0);
 } // namespace pixelexact

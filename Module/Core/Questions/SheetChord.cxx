@@ -13,9 +13,9 @@ using namespace edges;
 namespace
 {
 constexpr int kChordRounds = 6;
-/// In xi: more than rays and hits are off by rounding, in thin elements seen from afar.
+/// The largest rounding of rays and hits, in xi, in thin elements seen from afar.
 constexpr double kMaxRounding = 1e-7;
-/// In xi: what no bound has to be below.
+/// No bound in xi needs to be below this.
 constexpr double kTiny = 1e-15;
 } // namespace
 
@@ -26,7 +26,7 @@ OnSheet::Bent OnSheet::BentOf(const EdgeNode& node, const Values& at, const Numb
   {
     return bent;
   }
-  // Of |F|, which is convex: |F''| and |F'|^2 / |F| besides.
+  // |F| is convex: its second derivative is at most |F''| plus |F'|^2 / |F|.
   double least = kInfinity;
   if (IsNorm())
   {
@@ -64,7 +64,7 @@ std::optional<OnSheet::Tube> OnSheet::Contain(const EdgeNode& node, const Pencil
     }
     const Bent bent = BentOf(node, at, near);
     double rise = 0.0;
-    // By how much N moves what is off by v, from where it moves the path.
+    // Bounds the distance between N's images of the path and of a point that is off the path by v.
     const auto moved = [&](const Numbers& v)
     {
       Numbers e;
@@ -115,8 +115,8 @@ std::optional<OnSheet::Tube> OnSheet::Contain(const EdgeNode& node, const Pencil
   return std::nullopt;
 }
 
-/// As far as a path that lies in the element may be beside it, and up to rounding, which is the
-/// tube's ends.
+/// Whether the tube lies in the node enlarged by kOverlap, and its ends are as narrow as rounding
+/// (kMaxRounding).
 bool OnSheet::IsInside(const EdgeNode& node, const Vec3& a, const Vec3& b, const Tube& tube) const
 {
   if (tube.end.Largest() > kMaxRounding)
@@ -129,17 +129,18 @@ bool OnSheet::IsInside(const EdgeNode& node, const Vec3& a, const Vec3& b, const
     const EdgeNodeEnd& end = node.wideEnds[k];
     if (k == Own)
     {
-      // On the face nothing leaves it: g . (N - xi) is -f.
+      // On the face nothing leaves the box: g . (N - xi) is -f.
       if (!end.ofElement)
       {
         return false;
       }
       continue;
     }
-    // So far beside a box its bounds hold, too, up to kSteep. On a collapsed edge all boxes meet.
+    // This far outside a box its bounds still hold, up to kSteep. On a collapsed edge all boxes
+    // meet.
     const double beside = end.Across(kOverlaps);
     const double depths[2] = { end.DepthOf(a) + beside, end.DepthOf(b) + beside };
-    // 4 u (1 - u) is at most 4 times the distance from the end that is deeper. A NaN is outside.
+    // 4 u (1 - u) is at most 4 times the distance from the deeper end. A NaN counts as outside.
     if (!(std::min(depths[0], depths[1]) >= 0.0 &&
           std::max(depths[0], depths[1]) >= 4.0 * end.Across(tube.middle.at) * kUp))
     {
@@ -152,7 +153,7 @@ bool OnSheet::IsInside(const EdgeNode& node, const Vec3& a, const Vec3& b, const
 double OnSheet::BendAlong(
   const EdgeNode& node, const Pencil& pencil, const Values& at, const Vec3& d, const Bent& f) const
 {
-  // By the world: n = g W. Middles of ranges and how far what they stand for is off.
+  // In world coordinates: n = g W. Middles of ranges, and bounds of their errors.
   double middle = 0.0;
   double off = 0.0;
   const Vec3 n = at.gradient * pencil.inverse;
@@ -191,7 +192,8 @@ double OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetP
   {
     return kInfinity;
   }
-  // The path is the straight line in xi. How far its ends are from the rays, and off the sheet:
+  // The path is the straight line in xi. Bounds the distance of its ends from the rays and from the
+  // sheet.
   Numbers miss;
   double off = std::max(a.off, b.off);
   double f = 0.0;
@@ -248,7 +250,7 @@ double OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetP
   {
     return kInfinity;
   }
-  // Off the straight line at the middle, as evaluated, and off those to the middle.
+  // Distances at the middle from the straight line, as evaluated, and from the lines to the middle.
   const Vec3 sag = pencil.inverse * (at[2].y - 0.5 * (at[0].y + at[1].y));
   rise += std::fabs(glm::dot(at[0].gradient, sag) - at[2].f + 0.5 * (at[0].f + at[1].f)) +
     2.0 * roundings + BendAlong(node, pencil, at[0], d, bent) / 32.0 + tube->rise;
