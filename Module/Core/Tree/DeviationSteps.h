@@ -17,9 +17,9 @@ inline double LargestStep(const FrameSteps& steps)
   return std::max(-steps.least, steps.most);
 }
 
-/// Whether Phi, of this degree, is injective over a hexahedron's box and its reach (ReachOf), as
-/// far as the frame tells: where the derivatives of D = A^-1 Phi - xi are small, and where
-/// `products` are asked for, where they hardly vary. False proves nothing.
+/// Whether the frame proves that Phi, of this degree, is injective over a hexahedron's box and its
+/// reach (ReachOf): the derivatives of D = A^-1 Phi - xi are small, or, with `products`, they
+/// hardly vary. False proves nothing.
 bool IsInjective(const std::array<int, 3>& degree, const DeviationSteps& steps,
   const NodeFrame& frame, bool products);
 } // namespace pixelexact

@@ -12,15 +12,14 @@ namespace pixelexact
 {
 namespace
 {
-/// A box halved this often in a direction is smaller than what rounding leaves to decide.
+/// A box subdivided this often in a direction is smaller than rounding can resolve.
 constexpr int kMaxSubdivisions = 50;
 constexpr double kPoint = 2e-12;
 
 constexpr Part kParts[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
-/// Measured, in nanoseconds: what `size` coefficients of this degree cost where they are halved and
-/// have a frame made of them, or are the products that tell whether a box is regular. Many come in
-/// whole packs.
+/// The measured cost in nanoseconds of `size` coefficients of this degree, for subdivision and the
+/// frame of a box, or for the products that prove a box regular. Large sizes use whole packs.
 std::int64_t CostOf(std::size_t size, int degree)
 {
   const auto count = static_cast<std::int64_t>(size);
@@ -32,14 +31,14 @@ std::int64_t BytesOf(const BoxCoefficients& coefficients)
   return static_cast<std::int64_t>(coefficients.values.size() * sizeof(double));
 }
 
-/// Pieces of a higher level than this are made where they are needed.
+/// Pieces of a higher level than this are converted on demand.
 constexpr int kMaxLevel = 1;
 
-/// Errors of coefficients, in the element's units, that leave a box useful.
+/// The largest error of coefficients, in the element's units, of a useful box.
 constexpr double kCoarseError = 1e-6;
 
-/// The fewest pieces on which the rounding of every coefficient is at most `most`, or one that has
-/// as many as are needed whatever the modes are.
+/// The coarsest form in which the rounding of every coefficient is at most `most`, or else the form
+/// for arbitrary modes.
 const PieceForm& FormWithin(const InverseProblem& problem, std::span<const double, 3> most)
 {
   const Space& space = problem.space;
@@ -51,7 +50,7 @@ const PieceForm& FormWithin(const InverseProblem& problem, std::span<const doubl
     for (std::size_t c = 0; small && c < 3; ++c)
     {
       const double* component = problem.coefficients + c * static_cast<std::size_t>(space.Modes());
-      // Pieces in corners have the largest ones, and are much alike.
+      // Pieces in corners have the largest errors, and these are similar.
       small = form.ErrorBound(Part::Value, { 0, 0, 0 }, component) <= most[c];
     }
     if (small)
@@ -227,7 +226,7 @@ std::unique_ptr<ElementTree::Node> ElementTree::MakeHalf(
   return half;
 }
 
-/// The piece of the conversion that a box is.
+/// The piece of the conversion that equals a box.
 std::array<int, 3> ElementTree::PieceOf(const EtaBox& box) const
 {
   std::array<int, 3> piece{};
@@ -292,15 +291,15 @@ bool ElementTree::IsCoarse(const Node& node) const
   return node.Form != &Form;
 }
 
-/// Whether its halves are converted, not halved.
+/// Whether the node's children are converted instead of subdivided.
 bool ElementTree::LeadsToPieces(const Node& node) const
 {
   return IsCoarse(node) &&
     node.Subdivisions[0] + node.Subdivisions[1] + node.Subdivisions[2] == 3 * Form.Level() - 1;
 }
 
-/// Along which a node is halved; -1 where it is too small. What is coarse does not become narrower
-/// than a piece.
+/// The direction in which a node is subdivided; -1 where it is too small. Coarse nodes do not
+/// become narrower than a piece.
 int ElementTree::DirectionOf(const Node& node) const
 {
   const int most = IsCoarse(node) ? Form.Level() : kMaxSubdivisions;
@@ -348,7 +347,7 @@ bool ElementTree::IsFlat(Node& node)
   Answer flat = node.IsFlat.load(std::memory_order_relaxed);
   if (flat == Answer::Unknown)
   {
-    // Two threads may find the same.
+    // Two threads may compute the same result.
     flat =
       IsFlatOver(problem_.space, problem_.coefficients, node.frame_.box) ? Answer::Yes : Answer::No;
     node.IsFlat.store(flat, std::memory_order_relaxed);

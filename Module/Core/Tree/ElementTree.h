@@ -12,9 +12,9 @@ namespace pixelexact
 {
 class PieceForm;
 
-/// What is kept of an element's map: a tree of boxes in eta, each with a frame of certified
-/// deviation, grown where somebody looks. What is known of a box does not depend on what is asked,
-/// so that a question in a tree that is grown costs a few products a box.
+/// A tree of boxes in eta for an element's map, each box with a frame of certified deviation. The
+/// tree grows on demand. The frame of a box does not depend on the query, so that a query in an
+/// existing tree costs a few products per box.
 ///
 /// Safe to use from several threads: nodes are read without a lock, and grow one at a time.
 class ElementTree
@@ -22,39 +22,41 @@ class ElementTree
 public:
   class Node;
 
-  /// `total`: what it holds is added to it as well.
+  /// `total`: a counter to which the tree adds the bytes that it holds.
   ElementTree(
     const Mesh& mesh, int element, const ElementBounds& bounds, std::atomic<std::int64_t>& total);
   ~ElementTree();
   ElementTree(const ElementTree&) = delete;
   ElementTree& operator=(const ElementTree&) = delete;
 
-  /// The element's map; Newton's iteration begins as the element's bounds say.
+  /// The element's map. Newton's iteration begins as the element's bounds state.
   [[nodiscard]] const InverseProblem& Problem() const { return problem_; }
   /// The degree of Phi in each eta.
   [[nodiscard]] const std::array<int, 3>& Degree() const;
-  /// The boxes that the tree begins with: together the whole element. Of high orders, they are
-  /// converted with rounding that is far below what bends but above the uncertainty of the map; the
-  /// smaller pieces on which it is not (PieceForm.h) are converted where halving leads to them.
+  /// The initial boxes of the tree; together they cover the whole element. For high orders they are
+  /// converted with a rounding error that is far below the map's deviation but above the map's
+  /// uncertainty. The smaller pieces with an error below that (PieceForm.h) are converted where
+  /// subdivision reaches them.
   const std::vector<std::unique_ptr<Node>>& Pieces();
-  /// How often a coarse one is halved before its halves are converted.
+  /// The number of subdivisions of a coarse box before its children are converted.
   [[nodiscard]] int CoarseSubdivisions() const;
-  /// Makes a node's halves; false where it is too small.
+  /// Creates a node's children. Returns false where the node is too small.
   bool Split(Node& node);
   /// Whether the map is injective on a node's box and its reach (IsRegular).
   bool IsRegular(Node& node);
-  /// Whether the map has no thickness, within rounding, at points all over a node's box: no part of
-  /// it is found to be regular then, however small.
+  /// Whether the map has no thickness, within rounding, at points all over a node's box. Then no
+  /// part of the box is proven to be regular, however small.
   bool IsFlat(Node& node);
 
-  /// About how much it costs to make the pieces, a node's halves, those of this node, and to test
-  /// whether a node is regular. In nanoseconds, whether they have been made or not.
+  /// The estimated costs of converting the pieces, of the children of a node, of the children of
+  /// this node, and of the test whether a node is regular. In nanoseconds, whether the results
+  /// exist already or not.
   [[nodiscard]] std::int64_t BeginCost() const;
   [[nodiscard]] std::int64_t SplitCost() const;
   [[nodiscard]] std::int64_t SplitCost(const Node& node) const;
   [[nodiscard]] std::int64_t RegularCost(const Node& node) const;
 
-  /// About the bytes held.
+  /// An estimate of the bytes held.
   [[nodiscard]] std::int64_t MemoryUsage() const { return Bytes.load(std::memory_order_relaxed); }
 
 private:
@@ -90,11 +92,11 @@ private:
 class ElementTree::Node
 {
 public:
-  /// Of the box; does not change.
+  /// The frame of the box; it does not change.
   [[nodiscard]] const NodeFrame& Frame() const { return frame_; }
-  /// Every xi of the box is within 2e-12 of every other.
+  /// Whether every xi of the box is within 2e-12 of every other.
   [[nodiscard]] bool IsPoint() const { return Point; }
-  /// After Split.
+  /// The node must have been split.
   [[nodiscard]] Node& Child(std::size_t half) const { return *Children[half]; }
 
 private:
@@ -110,7 +112,7 @@ private:
   bool Point = false;
   std::array<int, 3> Subdivisions{}; ///< of the piece; of what is coarse, of the element
   Node* Parent = nullptr;
-  bool IsUpper = false;            ///< of its parent's halves
+  bool IsUpper = false;            ///< of its parent's children
   const PieceForm* Form = nullptr; ///< of its coefficients, over this piece of it
   std::array<int, 3> Piece{};
   BoxCoefficients Phi;    ///< until it is split

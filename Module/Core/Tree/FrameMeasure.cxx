@@ -54,9 +54,9 @@ FrameMeasure::FrameMeasure(
       Fill(Row(6 + c));
       From[c] = Row(6 + c);
     }
-    // The coefficients' errors, the uncertainty of Phi and y, and the rounding of the products here
-    // and in Classify (TreeKernels.h), where y lies in the hull; sums are below 2 and these
-    // products.
+    // Covers the coefficients' errors, the uncertainty of Phi and y, and the rounding of the
+    // products here and in Classify (TreeKernels.h), where y lies in the hull; sums are below 2 and
+    // these products.
     Around[c] = Phi.error[c] + Bounds.uncertainty[c] +
       Gamma(32) * Frame.hull[c].RadiusAround(Frame.origin[c]);
   }
@@ -114,7 +114,7 @@ void FrameMeasure::MakeGrid(const std::array<int, 3>& degree)
   {
     for (int j = 0; j <= degree[1]; ++j)
     {
-      // Affine along a line.
+      // xi is affine along a line.
       const Vec3 first = TensorToReference(space_.shape, { eta(0, i), eta(1, j), eta(2, 0) });
       const Vec3 last =
         TensorToReference(space_.shape, { eta(0, i), eta(1, j), eta(2, degree[2]) });
@@ -160,7 +160,7 @@ std::array<double, 3> FrameMeasure::Measure()
   for (std::size_t k = 0; k < 6; ++k)
   {
     ImagePlane& plane = Frame.plane[k];
-    // Of the products with the rows, which may cancel in the normal.
+    // The rounding of the products with the rows, which may cancel in the normal.
     double rounding = 0.0;
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -211,7 +211,7 @@ void FrameMeasure::TiltPlanes(std::span<const SmallMatrix, 6> jacobian)
       {
         normal[k][c] += inXi[k][d] * (*inverse)[d][c];
       }
-      // Far from where products overflow.
+      // Keeps normals far from where products overflow.
       known[k] = known[k] && std::fabs(normal[k][c]) < 1e100;
     }
   }

@@ -12,28 +12,29 @@
 
 namespace pixelexact
 {
-/// Compares Phi's coefficients over a box with the frame about its centre (value, Jacobian's
-/// inverse and hull of which are known): what MakeFrame consists of.
+/// Compares Phi's coefficients over a box with the frame about its centre (its value, Jacobian's
+/// inverse and hull are known). It is the main part of MakeFrame.
 class FrameMeasure
 {
 public:
   FrameMeasure(
     const Space& space, const ElementBounds& bounds, const BoxCoefficients& phi, NodeFrame& frame);
 
-  /// Sets deviation, slack, planes and whether it is injective; returns along which
-  /// directions of eta the deviation varies how much.
+  /// Sets deviation, slack, planes and `injective`. Returns the variation of the deviation along
+  /// each direction of eta.
   std::array<double, 3> Measure();
 
-  /// Of a box that bends so much that its centre's Jacobian says little of its ends: planes with
-  /// each end's own, as seen from its middle. Where a face is collapsed to an edge, boxes at the
-  /// edge bend as much however small they are, and these planes meet in it.
+  /// Replaces the planes of a box that bends too much for its centre's Jacobian by planes with the
+  /// Jacobian in the middle of each end. Where a face is collapsed to an edge, boxes at the edge
+  /// bend as much however small they are, and these planes meet in the edge.
   void TiltPlanes(std::span<const SmallMatrix, 6> jacobian);
 
 private:
   [[nodiscard]] FrameTask Task(std::span<const double[3]> normal);
-  /// Of each row of the deviation, the differences of neighbours in each direction of eta.
+  /// For each row of the deviation, the differences of neighbouring coefficients in each direction
+  /// of eta.
   [[nodiscard]] DeviationSteps Steps(const std::array<int, 3>& degree);
-  /// What rounding and uncertainty add to the products of a row with Phi - origin.
+  /// Bounds the effect of rounding and uncertainty on the product of a row with Phi - origin.
   [[nodiscard]] double SlackOf(const double* row) const;
   void MakeGrid(const std::array<int, 3>& degree);
 

@@ -90,7 +90,8 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
     frame.bending =
       std::max({ deviation[0].Magnitude(), deviation[1].Magnitude(), deviation[2].Magnitude() }) /
       longest;
-    // Such a box holds no point for certain either.
+    // A box that bends by more than this holds no point for certain, so that tilted planes lose
+    // nothing.
     constexpr double kBentMuch = 0.45;
     if (frame.bending > kBentMuch && frame.bending < kInfinity)
     {
@@ -99,8 +100,8 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
       measure.TiltPlanes(ends);
     }
   }
-  // A cone: seen from the apex, directions can only be told apart at the point's own distance. What
-  // is straight, and in part too near to the apex for Newton's iteration, is divided there.
+  // A pyramid is a cone: near its apex, directions differ only at the point's own distance. A
+  // straight box that is partly too close to the apex for Newton's iteration is divided there.
   const double apexRegion = 1.0 - kApexRegion;
   const bool straddles = frame.box.lower.z < apexRegion && apexRegion < frame.box.upper.z;
   if (space.shape == Shape::Pyramid &&
@@ -109,7 +110,7 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
     frame.widest = 2;
     return;
   }
-  // Where the deviation says nothing, or no more than rounding, the longest side.
+  // Where the deviation has no information, or only rounding, the longest side decides.
   const double largest = std::max({ variation[0], variation[1], variation[2] });
   double best = -1.0;
   for (int d = 0; d < 3; ++d)
@@ -117,10 +118,10 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
     const double share = largest > 0.0 && std::isfinite(largest)
       ? variation[static_cast<std::size_t>(d)] / largest
       : 0.0;
-    const double telling = share + 0.1 * width[d] / longest;
-    if (telling > best)
+    const double score = share + 0.1 * width[d] / longest;
+    if (score > best)
     {
-      best = telling;
+      best = score;
       frame.widest = d;
     }
   }

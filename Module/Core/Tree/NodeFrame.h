@@ -12,30 +12,31 @@
 
 namespace pixelexact
 {
-/// Of a hexahedron with more coefficients than this frames alone tell whether the map is regular in
-/// a box: the derivatives' own are three times as many, and it costs less to halve the box again.
+/// For a hexahedron with more coefficients than this, frames alone prove that the map is regular in
+/// a box: the coefficients of the derivatives are three times as many, and another subdivision of
+/// the box costs less.
 inline constexpr std::size_t kMaxWithSlopes = 9 * 9 * 9;
 
-/// What an end of a box becomes in y. All values of Phi over the box have
-/// normal . (y - origin) <= outer; the normal is that of the frame, or of the end itself where the
-/// box bends so much that it holds nothing. A y with normal . (y - origin) <= inner, for all ends,
-/// is a value (Brouwer: xi -> xi_0 - deviation(xi) then takes the box into itself).
+/// The image of an end of a box in y. All values of Phi over the box have normal . (y - origin) <=
+/// outer. The normal is that of the frame, or of the end itself where the box bends too much for
+/// the frame. A y with normal . (y - origin) <= inner, for all ends, is a value (Brouwer: xi ->
+/// xi_0 - deviation(xi) then takes the box into itself).
 struct ImagePlane
 {
   std::array<double, 3> normal{};
   double outer = std::numeric_limits<double>::infinity();
-  /// The same for what the element's own Newton iteration might still take for a point of it: its
-  /// tolerance is that of another Jacobian.
+  /// The same bound for points that the element's own Newton iteration may still accept: its
+  /// tolerance belongs to another Jacobian.
   double wider = std::numeric_limits<double>::infinity();
   double inner = -std::numeric_limits<double>::infinity();
 };
 
-/// What is known of Phi over a box, for any right-hand side y: made once, asked for many points.
+/// Bounds of Phi over a box, for any right-hand side y: computed once, used for many points.
 struct NodeFrame
 {
   EtaBox box;
-  /// All values of Phi, in the element's units, widened by the coefficients' errors and by the
-  /// element's uncertainty.
+  /// Encloses all values of Phi, in the element's units, widened by the coefficients' errors and by
+  /// the element's uncertainty.
   std::array<Interval, 3> hull;
   /// As in ElementBounds, about the box's own centre: every preimage xi in the box of y lies in
   /// xi_0 - [deviation], xi_0 = centre + A^-1 (y - origin).
@@ -45,12 +46,12 @@ struct NodeFrame
   std::array<double, 9> inverse{}; ///< A^-1, row-major
   std::array<Interval, 3> deviation;
   std::array<double, 3> slack{}; ///< in the deviation, for uncertainty and rounding
-  /// The largest deviation, as a part of the box's longest side.
+  /// The largest deviation, relative to the box's longest side.
   double bending = std::numeric_limits<double>::infinity();
-  /// Whether the map is injective over the box and its reach (ReachOf), as far as the frame tells:
-  /// of hexahedra alone.
+  /// Whether the frame proves that the map is injective over the box and its reach (ReachOf); for
+  /// hexahedra alone.
   bool injective = false;
-  /// Of framed boxes: of the polytope's six ends, uncertainty and rounding included.
+  /// The six ends of the polytope of a framed box, uncertainty and rounding included.
   std::array<ImagePlane, 6> plane;
   int widest = 0; ///< the direction of eta along which the deviation varies most
 
@@ -60,15 +61,15 @@ struct NodeFrame
   [[nodiscard]] Vec3 Step(const Vec3& d) const;
   /// xi_0.
   [[nodiscard]] Vec3 Root(const Vec3& y) const;
-  /// Whether the deviation is hardly more than uncertainty and rounding: xi_0 is the root, if there
-  /// is one, up to the faces' tolerance, and no smaller box tells more.
+  /// Whether the deviation is hardly more than uncertainty and rounding. Then xi_0 is the root, if
+  /// there is one, up to the faces' tolerance, and a smaller box would not improve it.
   [[nodiscard]] bool IsAffine() const;
-  /// Whether the deviation is at most this part of the box: the smaller it is, the likelier is the
-  /// map regular on the box, and xi_0 near to the root.
+  /// Whether the deviation is at most this fraction of the box. The smaller it is, the likelier the
+  /// map is regular on the box, and the closer xi_0 is to the root.
   [[nodiscard]] bool IsNearlyAffine(double part) const { return bending <= part; }
 };
 
-/// Fills in all but the box. `phi`: three functions over the box; `bounds`: of the element.
+/// Sets everything except `box`. `phi`: three functions over the box; `bounds`: of the element.
 void MakeFrame(const Space& space, const double* modes, const ElementBounds& bounds,
   const BoxCoefficients& phi, NodeFrame& frame);
 

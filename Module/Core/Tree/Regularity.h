@@ -6,11 +6,11 @@
 
 namespace pixelexact
 {
-/// How far a box is taken to reach beyond its ends where its regularity is concerned, in widths.
+/// The distance, in widths of a box, to which proofs of regularity extend beyond its ends.
 double ReachOf(const std::array<int, 3>& degree);
 
-/// What Bernstein polynomials of this degree sum to in magnitude over a box and that reach, at
-/// most.
+/// Bounds the sum of the magnitudes of the Bernstein polynomials of this degree over a box and its
+/// reach.
 double GrowthInReach(const std::array<int, 3>& degree);
 
 /// Whether Phi is injective on the box, reaching beyond its ends by ReachOf (but not beyond a
@@ -24,7 +24,7 @@ bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes);
 bool CollapsesAt(Shape shape, int direction);
 
 /// Whether the map with these modes, in the element's units, has no thickness at points all over a
-/// box of eta: det J is at most 1e-14 of the largest area between two of J's columns. Such boxes
-/// are not worth halving; nothing is proven.
+/// box of eta: det J is at most 1e-14 of the largest area between two of J's columns. Subdivision
+/// of such boxes does not help. This is not a proof.
 bool IsFlatOver(const Space& space, const double* modes, const EtaBox& box);
 } // namespace pixelexact

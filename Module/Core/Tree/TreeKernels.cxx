@@ -105,7 +105,7 @@ NodeClassification ClassifyBoxesWidely(
       LaneMask held = near;
       for (std::size_t c = 0; c < 3; ++c)
       {
-        // Of the two sums; ends of the hull are far rounder.
+        // The rounding of the two sums; ends of the hull are rounded much more.
         const Lanes rounding = Splat(4.0 * kUnitRoundoff) * (Abs(middle.x[c]) + reach.x[c]);
         const Lanes lower = middle.x[c] - reach.x[c] - rounding;
         const Lanes upper = middle.x[c] + reach.x[c] + rounding;
