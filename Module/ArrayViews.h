@@ -23,8 +23,8 @@ template <class T>
 std::span<const T> ViewArray(vtkUnstructuredGrid* grid, const std::string& name, int components,
   vtkIdType tuples, ArrayKeeper& keeper);
 
-/// The same for the arrays of `data`, which may be CellData; any number of components where that is
-/// negative.
+/// The same for the arrays of `data`, which may be CellData. A negative number of components
+/// accepts any number.
 template <class T>
 std::span<const T> ViewArrayOf(vtkFieldData* data, const std::string& name, int components,
   vtkIdType tuples, ArrayKeeper& keeper);

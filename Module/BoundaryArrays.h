@@ -7,9 +7,10 @@
 
 namespace pixelexact
 {
-/// The faces with attributes that a grid's arrays list, of the cells that it still has, as elements
-/// of `mesh`; in ascending order, each once. None where it has no such arrays. Throws InvalidData,
-/// naming the array, where one is missing, of wrong type or size, or names what is no face.
+/// Reads the faces with attributes from a grid's arrays, for the cells that it still has, as
+/// elements of `mesh`, in ascending order, each once. Empty where there are no such arrays. Throws
+/// InvalidData, naming the array, where one is missing, of wrong type or size, or contains a number
+/// that is no face.
 std::vector<AttributedFace> ReadBoundary(
   vtkUnstructuredGrid* grid, const Mesh& mesh, const CellElements& cells, vtkIdType elements);
 } // namespace pixelexact

@@ -7,8 +7,9 @@
 
 namespace pixelexact
 {
-/// While it lives, hears what the vtkImplicitCallbacks that this thread asks have to complain of;
-/// else they say it themselves. From the first complaint on they ask nobody and are NaN.
+/// While an object of this class lives, it collects the errors of vtkImplicitCallbacks that this
+/// thread evaluates; otherwise they report errors themselves. After the first error they are NaN
+/// without an evaluation.
 class PIXELEXACTDATAMODEL_EXPORT CallbackWatch
 {
 public:
@@ -17,7 +18,7 @@ public:
   CallbackWatch(const CallbackWatch&) = delete;
   CallbackWatch& operator=(const CallbackWatch&) = delete;
 
-  /// The latest of this thread; null: nobody listens.
+  /// The latest object of this thread; null: there is none.
   static CallbackWatch* Current();
 
   std::string failure; ///< empty: none

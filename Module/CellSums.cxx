@@ -16,7 +16,7 @@ namespace
 {
 constexpr double kTypes = 256.0;
 
-/// Between 1 and 2, no two points alike.
+/// A weight between 1 and 2 that differs for each point.
 double Weight(vtkIdType point, int which)
 {
   const double product =

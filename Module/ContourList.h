@@ -8,18 +8,18 @@
 
 namespace pixelexact
 {
-/// Contour values as VTK's filters keep them: numbered from 0. What changes them says whether
-/// it did.
+/// Contour values, numbered from 0 as in VTK's filters. Functions that change them return whether
+/// they did.
 class PIXELEXACTDATAMODEL_EXPORT ContourList
 {
 public:
-  /// Those between that were not set are 0. Nothing is done where i is negative.
+  /// Values before it that were not set are 0. Does nothing where i is negative.
   bool Set(int i, double value);
   /// NaN where there is no such value.
   [[nodiscard]] double At(int i) const;
   bool Resize(int number);
   [[nodiscard]] int Size() const { return static_cast<int>(Values.size()); }
-  /// As vtkContourValues: evenly spaced, both ends among them.
+  /// Sets evenly spaced values, both ends included, as vtkContourValues does.
   bool Generate(int number, double lower, double upper);
 
   [[nodiscard]] const std::vector<double>& All() const { return Values; }

@@ -8,15 +8,15 @@
 
 class vtkUnstructuredGrid;
 
-// What a conversion of a grid's cells, and of the values beside them, would lose of the
-// coefficients that the grid carries. A solver's own grid has linear cells; so has what filters cut
-// out of curved ones. Messages advise a conversion only where nothing is lost, and the converter
-// refuses the rest.
+// Measures what a conversion of a grid's cells and their point or cell values would lose of the
+// coefficients that the grid carries. A solver's own grid has linear cells, and so have cells that
+// filters cut out of curved ones. Messages advise a conversion only where nothing is lost, and the
+// converter refuses others.
 namespace pixelexact
 {
 /// CellData, uint8, of a solver's grid: the highest order of the element's map and fields that its
-/// linear cell and the values beside it do not hold, at least 1; 0: they hold all. It remains where
-/// a filter drops FieldData, and with it the coefficients.
+/// linear cell and point or cell values do not represent, at least 1; 0: they represent all. The
+/// array remains where a filter drops FieldData with the coefficients.
 inline constexpr const char* kLinearizedOrder = "PixelExactLinearizedOrder";
 
 /// Adds to kLinearizedOrder what the cells do not hold of the map (empty name) or field just

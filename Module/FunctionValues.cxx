@@ -54,7 +54,7 @@ bool Replaces(int operation, double part, double whole)
     : part > whole;
 }
 
-/// With which sign a part's value counts: of a difference those after the first one are taken away.
+/// The sign of a part's value: in a difference the parts after the first one are subtracted.
 double SideOf(int operation, std::size_t part, double value)
 {
   switch (operation)
@@ -117,8 +117,8 @@ void ValuesOf(vtkImplicitFunction* function, std::span<const Vec3> x, std::span<
   const auto points = ToArray(x);
   vtkNew<vtkDoubleArray> answers;
   answers->SetNumberOfTuples(static_cast<vtkIdType>(x.size()));
-  // Some evaluate in parallel: whoever waits for that must not begin another tile, which would ask
-  // the same function.
+  // Some functions evaluate in parallel. A thread that waits for them must not begin another tile,
+  // which would evaluate the same function.
   tbb::this_task_arena::isolate([&] { function->EvaluateFunction(points, answers); });
   std::copy_n(answers->GetPointer(0), x.size(), values.begin());
 }
@@ -202,7 +202,7 @@ void GradientsOf(vtkImplicitFunction* function, const DifferenceRule& rule, std:
   }
   else
   {
-    // That of the part that the whole's value is of.
+    // Selects the gradient of the part whose value is that of the whole.
     const std::vector<vtkImplicitFunction*> parts = PartsOf(boolean);
     const int operation = boolean->GetOperationType();
     std::vector<double> values(x.size());
@@ -225,7 +225,7 @@ void GradientsOf(vtkImplicitFunction* function, const DifferenceRule& rule, std:
   }
 }
 
-/// Runs what asks, and throws what callbacks complained of.
+/// Runs an evaluation and throws the errors that callbacks reported.
 template <class Asking>
 void Watched(const Asking& asking)
 {

@@ -9,20 +9,20 @@
 
 class vtkImplicitFunction;
 
-// vtkImplicitFunctions asked for many points at once, their transforms included. By one thread at a
+// Evaluates vtkImplicitFunctions at many points at once, their transforms included. One thread at a
 // time: functions keep data of their own while they are evaluated.
 namespace pixelexact
 {
-/// Whether it is a vtkImplicitCallback, or made of some by vtkImplicitBoolean: only the calling
-/// thread may ask it.
+/// Whether the function is a vtkImplicitCallback, or contains some in a vtkImplicitBoolean. Such a
+/// function must be evaluated on the calling thread (Python callbacks).
 PIXELEXACTDATAMODEL_EXPORT bool HasCallbacks(vtkImplicitFunction* function);
 
-/// Callbacks are asked once for all points, in booleans too. Throws Error with the words of a
+/// Evaluates callbacks once for all points, also in booleans. Throws Error with the message of a
 /// callback that fails.
 PIXELEXACTDATAMODEL_EXPORT void FunctionValues(
   vtkImplicitFunction* function, std::span<const Vec3> x, std::span<double> values);
 
-/// Where central differences are taken.
+/// The rule of central differences.
 struct DifferenceRule
 {
   double step; ///< in world units

@@ -22,12 +22,13 @@ class Locator;
 class MeshPart
 {
 public:
-  /// The part of `grid` as it is now; one that somebody holds, where its arrays are the same. The
-  /// grid's cells are compared with their fingerprints in any case. Throws as HighOrderModel::From.
+  /// The part of `grid` in its present state. Returns an existing part that a caller holds if its
+  /// arrays are the same. The grid's cells are compared with their fingerprints in any case. Throws
+  /// as HighOrderModel::From.
   static std::shared_ptr<const MeshPart> Of(vtkUnstructuredGrid* grid);
 
-  /// The elements of all parts, one after the other, as copies. One that somebody holds, where the
-  /// parts are the same.
+  /// The elements of all parts, one after the other, as copies. Returns an existing object that a
+  /// caller holds if the parts are the same.
   static std::shared_ptr<const MeshPart> Join(std::vector<std::shared_ptr<const MeshPart>> parts);
 
   ~MeshPart();
@@ -35,8 +36,7 @@ public:
   MeshPart& operator=(const MeshPart&) = delete;
 
   [[nodiscard]] const Mesh& GetMesh() const { return mesh_; }
-  /// Of the grid's cells among the stored elements, of which there are StoredElements(). Not of
-  /// joined parts.
+  /// Maps the grid's cells to the StoredElements() stored elements. Not for joined parts.
   [[nodiscard]] const CellElements& Cells() const { return *cells_; }
   [[nodiscard]] vtkIdType StoredElements() const { return Stored; }
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const { return Sources; }

@@ -68,7 +68,7 @@ bool IsPacked(vtkUnstructuredGrid* grid)
 std::vector<std::string> PackedFieldNames(vtkUnstructuredGrid* grid)
 {
   const std::string suffix = ".Marks";
-  // By their places, since filters and files put arrays in an order of their own.
+  // Sorts by the stored places, because filters and files reorder arrays.
   std::multimap<double, std::string> byPlace;
   vtkCellData* data = grid->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)

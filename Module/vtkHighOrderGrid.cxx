@@ -59,7 +59,8 @@ std::shared_ptr<HighOrderModel> vtkHighOrderGrid::GetModel()
 {
   if (!this->Model || !this->Model->IsCurrent(this))
   {
-    // Alive until the new one is made, which may share its locator, but not after a failure.
+    // The old model stays alive until the new one exists, which may share its locator, but not
+    // after a failure.
     const auto stale = std::move(this->Model);
     this->Model = HighOrderModel::From(this);
   }

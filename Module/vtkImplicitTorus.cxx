@@ -11,7 +11,7 @@ vtkStandardNewMacro(vtkImplicitTorus);
 
 namespace
 {
-// A point about a torus: height over its plane, and what is across its axis.
+// A point relative to a torus: the height over its plane, and the components across its axis.
 struct Place
 {
   double axis[3];

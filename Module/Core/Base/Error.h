@@ -6,8 +6,9 @@
 
 namespace pixelexact
 {
-/// What a user can cause: a bad file, a missing field, an impossible request. The message names the
-/// thing and the remedy. The VTK classes turn it into vtkErrorMacro, the tool into exit status 1.
+/// An error that a user can cause: a bad file, a missing field, an impossible request. The message
+/// names the thing and the remedy. The VTK classes turn it into vtkErrorMacro, the tool into exit
+/// status 1.
 class Error : public std::runtime_error
 {
 public:
@@ -29,7 +30,7 @@ public:
   using Error::Error;
 };
 
-/// The coefficients no longer belong to the points and cells beside them.
+/// The coefficients no longer belong to the points and cells of the grid.
 class StaleData : public Error
 {
 public:

@@ -7,8 +7,8 @@
 
 namespace pixelexact
 {
-/// Numbered objects, each made when somebody first asks for it. Safe to use from several threads:
-/// two may make the same, which have to be equal; one of them stays.
+/// Numbered objects, each created on first use. Safe to use from several threads: two threads may
+/// create the same object, in equal form; one of them is kept.
 template <class T>
 class MadeOnDemand
 {
@@ -44,12 +44,12 @@ public:
       ? *mine.release()
       : *before;
   }
-  /// Null before it is made.
+  /// Returns null before the object exists.
   [[nodiscard]] const T* IfMade(std::size_t k) const
   {
     return Made[k].load(std::memory_order_acquire);
   }
-  /// How many have been made.
+  /// The number of objects that exist.
   [[nodiscard]] std::size_t MadeCount() const
   {
     std::size_t count = 0;

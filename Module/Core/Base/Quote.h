@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// Foreign text between quotes, for messages: cut to `longest` characters, as a binary file is one
-/// long word, and with '?' for what is not printable.
+/// Quotes foreign text for messages: cut to `longest` characters, because a binary file is one long
+/// word, and with '?' for characters that are not printable.
 inline std::string Quote(std::string_view text, std::size_t longest = 40)
 {
   std::string shown(text.substr(0, longest));

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstddef>
 
-// Where the time of a frame goes. Off unless somebody asks: a stage then costs the look at a
+// Measures the time of each stage of a frame. Off by default: a stage then costs the test of a
 // pointer.
 namespace pixelexact
 {

@@ -5,12 +5,12 @@
 
 namespace pixelexact
 {
-/// Where a point lies, relative to an element or to a mesh.
+/// The position of a point relative to an element or a mesh.
 ///
-/// `Inside` is said only with a converged inverse whose residual is of rounding size and whose xi
-/// lies in the reference shape, up to the tolerance that rounding and conditioning explain.
-/// `Outside` is said only with a reason that excludes every xi of the shape (hull, frame,
-/// injectivity). Everything else is `Unknown`: it is counted and shown, never painted over.
+/// `Inside` requires a converged inverse whose residual is of rounding size and whose xi lies in
+/// the reference shape, up to the tolerance that rounding and conditioning explain. `Outside`
+/// requires a reason that excludes every xi of the shape (hull, frame, injectivity). Everything
+/// else is `Unknown`: it is counted and shown, never painted over.
 enum class [[nodiscard]] Verdict : std::uint8_t{ Outside = 0, Inside = 1, Unknown = 2 };
 
 constexpr const char* Name(Verdict verdict)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Balls (Ball-inl.h) as a number type of the evaluation templates (Modes-inl.h).
 //
-// In plain interval arithmetic a three-term recurrence magnifies rounding by about 2.4 a step, for
-// it does not see that the errors it bounds cancel. So values are made in pairs of doubles, where
-// that growth, from 2^-100 on, stays below the last bit of a double, and the width of the argument
-// enters through the derivative over it:  P_n(Z) lies in P_n(z) + P_n'(Z) (Z - z). Derivatives are
-// only ever multiplied by the small width of a box and stay in ball arithmetic.
-// Included once per instruction set.
+// In plain interval arithmetic a three-term recurrence magnifies rounding by about 2.4 per step,
+// because the bounds do not include that the errors cancel. Values are therefore computed in pairs
+// of doubles, where that growth, from 2^-100 on, stays below the last bit of a double, and the
+// width of the argument enters through the derivative over it:  P_n(Z) lies in P_n(z) + P_n'(Z) (Z
+// - z). Derivatives are only ever multiplied by the small width of a box and stay in ball
+// arithmetic. Included once per instruction set.
 #if defined(PIXELEXACT_BALL_MODES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_BALL_MODES_INL_H
 #undef PIXELEXACT_BALL_MODES_INL_H

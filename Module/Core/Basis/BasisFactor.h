@@ -12,13 +12,13 @@ namespace pixelexact
 {
 using LongVec3 = std::array<long double, 3>;
 
-/// From `columns` source functions to `rows` modes.
+/// A matrix from `columns` source functions to `rows` modes.
 struct BasisFactor
 {
   int rows = 0;
   int columns = 0;
   std::vector<long double> matrix; ///< row-major
-  /// Whose modes they are, in a ChangeOfBasis: of a line, the hexahedron's modes (p, 0, 0); of a
+  /// The space of the modes in a ChangeOfBasis: for a line, the hexahedron's modes (p, 0, 0); for a
   /// triangle, the prism's (p, 0, r).
   Space space{};
 };

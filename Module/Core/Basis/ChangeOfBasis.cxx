@@ -152,7 +152,7 @@ void ChangeOfBasis::Apply(std::span<const double> values, std::span<const double
   const std::size_t components = shifts.size();
   const std::size_t sources = values.size() / components;
   auto& [from, to] = scratch;
-  // The factor that comes next has its columns slowest, what is done and the component fastest.
+  // The next factor has its columns slowest; finished modes and the component are fastest.
   std::size_t size = SourceOf.size() * components;
   from.Resize(size);
   for (std::size_t i = 0; i < SourceOf.size(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Value and gradient of a modal sum by sum factorisation (paper, equation 10), for any number type:
-// Lanes in the kernels, FloatLanes where less precision is asked for, long double in the changes of
-// basis. All classes have HexahedronModes' interface.
+// Lanes in the kernels, FloatLanes in single precision, long double in the changes of basis. All
+// classes have HexahedronModes' interface.
 #if defined(PIXELEXACT_MODES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_MODES_INL_H
 #undef PIXELEXACT_MODES_INL_H

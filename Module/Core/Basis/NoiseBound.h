@@ -14,7 +14,7 @@ namespace pixelexact
 /// (tetrahedra above order 7, pyramids above 6).
 [[nodiscard]] double NoiseBound(const ChangeOfBasis& change);
 
-/// How far rounding can move a map that a change of basis made of coordinates.
+/// Bounds how far rounding can move a map that a change of basis computed from coordinates.
 class MapNoise
 {
 public:

@@ -65,7 +65,7 @@ HWY_INLINE void ForEachUpTo(int last, Visit&& visit)
   }
 }
 
-/// The same for outer loops: unrolled only where that is little code.
+/// The same for outer loops, which are unrolled only where that is little code.
 template <int kLast, class Visit>
 HWY_INLINE void ForEachOuterUpTo(Const<kLast> last, Visit&& visit)
 {
@@ -102,7 +102,7 @@ struct FixedOrder
   static constexpr Const<P> r() { return {}; }
 };
 
-/// The same of a face's space, a hexahedron's or a prism's without order along xi2.
+/// The same for a face's space, a hexahedron's or a prism's without order along xi2.
 template <int P>
 struct FixedFaceOrder
 {

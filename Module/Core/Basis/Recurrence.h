@@ -69,7 +69,7 @@ struct RecurrenceTable
   }
 };
 
-/// Those of the kernels are known to the compiler.
+/// The kernels' recurrences, known to the compiler.
 inline constexpr auto kRecurrences = MakeRecurrences<double>();
 template <>
 struct RecurrenceTable<double>

@@ -12,9 +12,9 @@ namespace pixelexact
 /// The family's nodes; of Bernstein's polynomials, which have none, equispaced ones.
 [[nodiscard]] NodeFamily NodesOf(Family family);
 
-/// On the triangle of a prism, (xi1, xi3): the node or exponent of xi1 slowest.
+/// The factor of the triangle of a prism, (xi1, xi3), with the node or exponent of xi1 slowest.
 [[nodiscard]] BasisFactor TriangleFactor(int order, Family family);
 
-/// The same on a tetrahedron, that of xi3 fastest.
+/// The factor of a tetrahedron, with that of xi3 fastest.
 [[nodiscard]] BasisFactor TetrahedronFactor(const Space& space, Family family);
 } // namespace pixelexact

@@ -10,7 +10,7 @@ namespace pixelexact
 {
 namespace
 {
-/// To this order symmetry leaves Gauss-Lobatto-Legendre nodes inside triangles no choice.
+/// Up to this order, symmetry determines the Gauss-Lobatto-Legendre nodes inside triangles.
 constexpr int kUniqueOrder = 3;
 } // namespace
 

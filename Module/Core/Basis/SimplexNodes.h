@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-// Where the nodes of Lagrange bases stand on lines, triangles and tetrahedra.
+// The places of the nodes of Lagrange bases on lines, triangles and tetrahedra.
 namespace pixelexact
 {
 enum class NodeFamily : std::uint8_t

@@ -10,10 +10,11 @@ namespace pixelexact
 namespace
 {
 constexpr Interval kUnit{ -1.0, 1.0 };
-/// More than anything that underflows in a handful of operations.
+/// Larger than any underflow of a few operations.
 constexpr double kFormUnderflow = 0x1p-1060;
 
-/// -r to r for a radius that was computed, from magnitudes, with at most 12 roundings.
+/// The interval from -r to r for a radius that was computed from magnitudes with at most 12
+/// roundings.
 Interval Within(double radius)
 {
   const double r = radius * (1.0 + Gamma(16)) + kFormUnderflow;
@@ -25,7 +26,7 @@ double LinearRadius(const AffineForm& f)
   return std::fabs(f.b[0]) + std::fabs(f.b[1]) + std::fabs(f.b[2]);
 }
 
-/// Everything, where a coefficient is not finite: nothing can be said then.
+/// Returns -inf to inf where a coefficient is not finite.
 AffineForm Checked(const AffineForm& f)
 {
   // Sums of finite numbers that overflow are given up as well.

@@ -38,14 +38,14 @@ HWY_INLINE void ForEachPack(std::size_t count, const AtLanes& atLanes, const AtO
   }
 }
 
-/// Rows of a block's combinations that are made at once, of the same loads.
+/// Rows of a block's combinations that share their loads.
 constexpr std::size_t kRowsAtOnce = 4;
 
-/// Those of so many rows of factors, at one pack.
+/// Combines the rows for four rows of factors, at one pack.
 HWY_INLINE void CombineFour(
   const double* factors, std::size_t count, const double* rows, std::size_t stride, double* out)
 {
-  // Not an array, which compilers leave in memory.
+  // Separate variables, because compilers leave an array in memory.
   const double* const f1 = factors + count;
   const double* const f2 = f1 + count;
   const double* const f3 = f2 + count;

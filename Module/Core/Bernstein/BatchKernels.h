@@ -12,8 +12,8 @@
 // the instruction set has; the same bits on each.
 namespace pixelexact
 {
-/// Of blocks of `count` rows of `stride` numbers, `made` rows each: row k of a block becomes the
-/// sum of factors[k count + j] times its row j.
+/// Combines rows in blocks of `count` rows of `stride` numbers, to `made` rows each: row k of a
+/// block becomes the sum of factors[k count + j] times its row j.
 void CombineRows(std::span<const double> factors, std::size_t made, std::size_t count,
   std::size_t stride, std::span<const double> from, std::span<double> to);
 
@@ -21,7 +21,7 @@ void CombineRows(std::span<const double> factors, std::size_t made, std::size_t 
 void ExtremesOfEach(
   std::span<const double> values, std::span<double> least, std::span<double> most);
 
-/// The same of the numbers less an affine function: number c of row r less the sum of
+/// The same for the numbers minus an affine function: number c of row r minus the sum of
 /// slopes[d][c] times places[r][d]. Rows are `stride` apart, and as long as the results.
 void ExtremesBesideAffine(std::span<const double> values, std::size_t stride,
   std::span<const Vec3> places, const std::array<std::vector<double>, 3>& slopes,

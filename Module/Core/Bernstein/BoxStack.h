@@ -6,8 +6,8 @@
 
 namespace pixelexact
 {
-/// The boxes of a search that are still to be looked at, each with the system's coefficients over
-/// it and the errors that restriction has added to them.
+/// The open boxes of a search, each with the system's coefficients over it and the errors that
+/// restriction has added to them.
 class BoxStack
 {
 public:

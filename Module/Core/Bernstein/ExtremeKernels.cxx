@@ -47,7 +47,7 @@ double FindLargestDifference(
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const std::size_t count = block - static_cast<std::size_t>(order) * stride;
-  // Comparisons with what is no number are false.
+  // Comparisons with NaN are false.
   Lanes most = Traits::Splat(0.0);
   double left = 0.0;
   const auto visit = [&](const double* b) PIXELEXACT_INLINED
@@ -159,7 +159,7 @@ bool FindExtremesAlong(const double* values, std::size_t size, std::size_t strid
   return none == 0.0;
 }
 
-/// In eight sums, however many lanes there are.
+/// Uses eight sums for any number of lanes, so that the bits are the same.
 double SumOfMagnitudes(const double* values, const double* weights, std::size_t count)
 {
   constexpr std::size_t kSums = 8;

@@ -90,8 +90,9 @@ struct WideRow
 /// 3 of the closed form, 4 of differences and linear factors, 2 + 33 of raising, 32 of each of at
 /// most 4 halvings; the rest is slack, also for the sums of magnitudes' own rounding.
 constexpr double kRoundings = 256.0;
-/// Of an operation of Wide; 2^-102 at most (M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous
-/// error bounds for basic building blocks of double-word arithmetic, ACM TOMS 44, 2017).
+/// The roundoff of an operation of Wide; it is at most 2^-102 (M. Joldes, J.-M. Muller, V. Popescu,
+/// Tight and rigorous error bounds for basic building blocks of double-word arithmetic, ACM TOMS
+/// 44, 2017).
 constexpr double kWideRoundoff = 0x1p-100;
 
 WideRow Plain(const FactorKey& key)

@@ -31,7 +31,7 @@ private:
   static void FillSlopes(int n, double t, Line& slope);
 
   Degrees Degree;
-  // As far as the degrees go.
+  // Filled up to the degrees.
   std::array<Line, 3> Basis;
   std::array<Line, 3> Slope;
 };

@@ -44,6 +44,6 @@ struct KrawczykImage
   bool unique = false;      ///< exactly one root in U, and it lies in `image`
 };
 
-/// Nothing where f'(m) cannot be inverted.
+/// None where f'(m) cannot be inverted.
 std::optional<KrawczykImage> ApplyKrawczyk(const LocalSystem& system, double reach);
 } // namespace pixelexact

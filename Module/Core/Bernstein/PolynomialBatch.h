@@ -20,8 +20,8 @@ struct AffineBound
   double radius = 0.0;
 };
 
-/// Polynomials over a box in tensor-product Bernstein form, raised to one degree and side by side:
-/// what is asked of all of them is done in lanes.
+/// Polynomials over a box in tensor-product Bernstein form, raised to one degree and side by side,
+/// so that operations on all of them run in lanes.
 class PolynomialBatch
 {
 public:
@@ -41,16 +41,16 @@ public:
   void BoundsOver(const Box3& within, std::span<Interval> hulls, std::span<const Vec3> places,
     std::span<AffineBound> bounds) const;
 
-  /// The same of lower degrees, where what that leaves out is at most this part of the largest of
-  /// all coefficients; it is in the errors. Directions in which it is not constant keep at least
-  /// degree 1.
+  /// The same polynomials with lower degrees, where the omitted part is at most this fraction of
+  /// the largest of all coefficients. The errors include it. Directions in which the batch is not
+  /// constant keep at least degree 1.
   [[nodiscard]] PolynomialBatch Lowered(double part) const;
 
 private:
-  /// To the lowest degree in a direction with which no more than `most` is left out.
+  /// Lowers to the lowest degree in a direction for which the omitted part is at most `most`.
   void LowerAlong(int direction, double most);
 
-  /// Over a part of the box.
+  /// The coefficients over a part of the box, with their errors.
   struct Restricted
   {
     std::vector<double> rounds[2];

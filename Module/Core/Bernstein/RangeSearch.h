@@ -36,8 +36,8 @@ struct RangeBox
   Interval bound = Interval::Everything(); ///< of the values
   /// Width of the enclosures at single points. Subdivision does not reduce it.
   double rounding = 0.0;
-  /// Not above the value at any corner; a function whose enclosure at a corner reaches down to zero
-  /// cannot be proven positive, however often the box is subdivided.
+  /// A lower bound of the values at the corners. A function whose enclosure at a corner reaches
+  /// down to zero cannot be proven positive, however often the box is subdivided.
   double lowestCorner = 0.0;
   /// Recomputes the polynomials. A box with this function does not keep them, which saves memory
   /// for large domains in many boxes.

@@ -11,9 +11,9 @@ namespace pixelexact
 namespace
 {
 /// Krawczyk's test first reaches 1 / (4 total degree) beyond the box, where hulls of derivatives
-/// grow by less than a factor of two; then so many times as far, e^16 at most.
+/// grow by less than a factor of two; then this many times as far, where they grow by at most e^16.
 constexpr double kFarther = 32.0;
-/// Only boxes narrower than this are asked whether splitting is worthwhile.
+/// The finder tests only boxes narrower than this for whether splitting helps.
 constexpr double kNarrow = 0x1p-6;
 /// A side is narrow, compared with the longest.
 constexpr double kUneven = 1.0 / 16.0;
@@ -93,8 +93,8 @@ private:
     {
       return Outcome::Empty;
     }
-    // Where clipping converges, Krawczyk's test may succeed already: before the box has shrunk to
-    // what the coefficients' errors leave open, when it no longer can.
+    // Where clipping converges, Krawczyk's test may succeed already. It no longer can when the box
+    // has shrunk to the size that the coefficients' errors leave open.
     if (IsSquare && IsConverging(sections))
     {
       const Outcome outcome = Isolate();

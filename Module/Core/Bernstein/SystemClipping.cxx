@@ -54,8 +54,9 @@ SmallMatrix MeanJacobian(const LocalSystem& system)
   return mean;
 }
 
-/// With P f, P near the inverse of the mean Jacobian: P f vanishes exactly where f does, and its
-/// i-th component is nearly t_i minus the root's. `room`: half of what a section should keep.
+/// Clips by P f, P near the inverse of the mean Jacobian: P f vanishes exactly where f does, and
+/// its i-th component is nearly t_i minus the root's. `room`: half of the width that a section
+/// should keep.
 bool ClipPreconditioned(const LocalSystem& system, Sections& sections, Parameters& room)
 {
   const auto inverse = Inverse(system.variables, MeanJacobian(system));
@@ -85,7 +86,8 @@ bool ClipPreconditioned(const LocalSystem& system, Sections& sections, Parameter
     {
       return false;
     }
-    // In a box no wider than what the errors make of a root, Krawczyk's test could not succeed.
+    // In a box that is no wider than the effect of the errors on a root, Krawczyk's test could not
+    // succeed.
     room[i] = std::max(room[i], 8.0 * error);
   }
   return true;

@@ -7,9 +7,10 @@ namespace pixelexact
 {
 using Sections = std::array<Section, 3>;
 
-/// Where the hulls of a system over a box of these widths leave room for roots, direction by
-/// direction; false where they leave none, a proof that there is none. Sections keep room around
-/// what the coefficients' errors make of a root, and keep the box from becoming a sliver.
+/// Computes the sections of a box of these widths that may hold roots of a system by the hulls,
+/// direction by direction. Returns false where there are none, a proof that there is no root.
+/// Sections keep a margin for the effect of the coefficients' errors on a root, and keep the box
+/// from becoming a sliver.
 bool ClipSystem(const LocalSystem& system, const Parameters& width, Sections& sections);
 
 /// Whether the coefficients' errors move roots by about the box's width, so that splitting would

@@ -28,7 +28,7 @@ constexpr std::size_t CoefficientCount(const Degrees& degree)
     static_cast<std::size_t>(degree[2] + 1);
 }
 
-/// How far apart in memory coefficients lie that are neighbours along a direction.
+/// The distance in memory of coefficients that are neighbours along a direction.
 constexpr std::size_t StrideOf(const Degrees& degree, int direction)
 {
   std::size_t stride = 1;
@@ -47,7 +47,7 @@ double LargestMagnitude(std::span<const double> coefficients);
 void Restrict(
   const Degrees& degree, int direction, double from, double to, std::span<double> coefficients);
 
-/// What Restrict, or Subdivide, adds to the error of coefficients of at most this magnitude:
+/// Bounds the error that Restrict, or Subdivide, adds to coefficients of at most this magnitude:
 /// roundings of two sweeps of convex combinations, and of the second one's parameter, whose error
 /// moves the coefficients by their differences.
 double RestrictionError(int degree, double magnitude);
@@ -78,8 +78,8 @@ Interval EncloseValue(
 Interval EncloseDerivative(const Degrees& degree, int direction,
   std::span<const double> coefficients, double error, double reach);
 
-/// Where, along a direction, the hull of f meets zero: every root t of f in the unit cube has
-/// t_direction in [from, to]. from > to: there is none.
+/// The section along a direction where the hull of f meets zero: every root t of f in the unit cube
+/// has t_direction in [from, to]. from > to: there is none.
 struct Section
 {
   double from = 0.0;

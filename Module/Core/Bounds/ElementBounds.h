@@ -39,8 +39,8 @@ struct ElementBounds
 /// The box alone, certified too, with the rounding of its coefficients bounded in less time.
 Box3 MakeElementBox(const Mesh& mesh, int element);
 
-/// How far an evaluated image of the element may be from the true one, per coordinate, in world
-/// units: the mesh's uncertainty, the rounding of coordinates and of the evaluation.
+/// Bounds the distance between an evaluated image of the element and the true one, per coordinate,
+/// in world units: the mesh's uncertainty, the rounding of coordinates and of the evaluation.
 Vec3 ImageUncertainty(const Mesh& mesh, int element);
 
 /// The bounds of one element of a valid mesh.

@@ -9,10 +9,10 @@ namespace pixelexact
 /// injective there; 0 where no proof was found.
 ///
 /// Criterion: on a convex domain a map whose Jacobian's symmetric part is positive definite is
-/// injective, since (b - a) . (G(b) - G(a)) is the integral of (b - a) . DG (b - a) > 0. The
-/// entries of DG over the enlarged shape are enclosed by Bernstein hulls, definiteness follows from
-/// Gershgorin's circles. Rotations do not hurt the criterion as they would a bound on |DG - I|.
-/// Not tried: pyramids, whose functions are rational in xi; hexahedra of order above
+/// injective, since (b - a) . (G(b) - G(a)) is the integral of (b - a) . DG (b - a) > 0. Bernstein
+/// hulls enclose the entries of DG over the enlarged shape, and Gershgorin's circles prove
+/// definiteness. Rotations do not weaken the criterion, as they would a bound on |DG - I|. Not
+/// tried: pyramids, whose functions are rational in xi; hexahedra of order above
 /// kMaxInjectivityOrder; prisms and tetrahedra of more than kMaxInjectivityModes modes, whose
 /// matrices are dense.
 ///

@@ -5,7 +5,7 @@
 
 namespace pixelexact
 {
-/// How fast the Jacobian of a map may change: InverseProblem::bend, a bound. `coefficients`: three
+/// Computes InverseProblem::bend, a bound of the change of a map's Jacobian. `coefficients`: three
 /// components, in the element's units.
 double MapBend(const Space& space, const double* coefficients);
 } // namespace pixelexact

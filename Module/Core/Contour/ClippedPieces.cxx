@@ -60,7 +60,7 @@ private:
     const Vec3 gradientB = Clip.GradientAround(b.x - Clip.origin);
     const double slopeA = glm::dot(gradientA, b.x - a.x);
     const double slopeB = glm::dot(gradientB, b.x - a.x);
-    // Where the slopes differ in sign the clip may rise, or fall, by a part of one of them.
+    // Where the slopes differ in sign, the clip may rise or fall by a fraction of one of them.
     const double slack = Tolerance * std::max(glm::length(gradientA), glm::length(gradientB)) +
       std::min(std::fabs(slopeA), std::fabs(slopeB));
     return (slopeA * slopeB > 0.0 && slopeA * (atB - atA) > 0.0) || std::max(atA, atB) < -slack ||

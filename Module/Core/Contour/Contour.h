@@ -63,11 +63,11 @@ struct ContourRequest
   double tolerance = 0.0;
 };
 
-/// The contours of a field on a cut-surface as polylines: see Documentation/contours-proof.md for
-/// the method and for what is proven. The locator is the mesh's. In parallel; the result does not
-/// depend on threads.
-/// Throws InvalidData for values that are not finite or a tolerance that is too small, and
-/// Unsupported for a mapped field (H(curl), H(div), density).
+/// Traces the contours of a field on a cut-surface as polylines: see
+/// Documentation/contours-proof.md for the method and for what is proven. The locator is the
+/// mesh's. In parallel; the result does not depend on threads. Throws InvalidData for values that
+/// are not finite or a tolerance that is too small, and Unsupported for a mapped field (H(curl),
+/// H(div), density).
 ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
   const FaceTable& faces, const ContourRequest& request);
 /// The same on each of several patches of a surface, in place of the question's cut and clips.

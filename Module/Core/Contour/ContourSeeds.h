@@ -25,7 +25,7 @@ struct OpenPlace
   unsigned faces = 0; ///< as ContourSeed's
 };
 
-/// Where the contours of an element begin, end and turn.
+/// The places where the contours of an element begin, end and turn.
 struct SeedSearchResult
 {
   std::vector<ContourSeed> seeds;

@@ -76,8 +76,8 @@ CurveEvaluator::CurveEvaluator(const ContourQuestion& question, int element, dou
   Digits = kUnitRoundoff * SumOfModeBounds(space) * std::max(constant, varying);
   // By Markov's inequality the second derivatives of a polynomial of degree n on [-1,1] are at most
   // M = n^2 (n^2 - 1) / 3 times its largest value. Where the slope is less than sqrt(2 M rounding),
-  // two lines may be as near as rounding can move one. That of a few operations counts here: what
-  // is not followed is not decided, in any case.
+  // two lines may be as close as rounding can move one. Here the rounding of a few operations
+  // counts, because lines that are not followed are undecided anyway.
   const double n = std::ranges::max(space.TensorDegree());
   const double steepest = n * n * (n * n - 1.0) / 3.0 * varying;
   const double rounding = 8.0 * kUnitRoundoff * std::max(constant, varying);
@@ -150,7 +150,7 @@ CurvePoint CurveEvaluator::FieldAt(const Vec3& xi)
       jacobian[d][c] = size * arrays[count + 3 * row + static_cast<std::size_t>(d)][0];
     }
   }
-  // Not of x, which far from the world's origin has lost digits that xi has.
+  // Uses y rather than x, which has lost digits far from the world's origin that xi has.
   const Vec3 centre(
     Question.mesh.centre[3 * e], Question.mesh.centre[3 * e + 1], Question.mesh.centre[3 * e + 2]);
   const Vec3 y(arrays[0][0], arrays[1][0], arrays[2][0]);

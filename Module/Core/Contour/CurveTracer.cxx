@@ -29,8 +29,8 @@ double DistanceToChord(const Vec3& x, const Vec3& from, const Vec3& to)
   const double t = square > 0.0 ? std::clamp(glm::dot(x - from, chord) / square, 0.0, 1.0) : 0.0;
   return glm::length(x - (from + t * chord));
 }
-/// How far the cubic with the curve's directions at the ends leaves the chord, at most: that of a
-/// chord of length L at angles with the tangents m and n is L (m t (1-t)^2 - n t^2 (1-t)).
+/// Bounds how far the cubic with the curve's directions at the ends leaves the chord: with a chord
+/// of length L at angles with the tangents m and n, the distance is L (m t (1-t)^2 - n t^2 (1-t)).
 double CubicBulge(const CurvePoint& from, const CurvePoint& to)
 {
   const Vec3 chord = to.x - from.x;
@@ -128,7 +128,7 @@ std::optional<CurveTracer::Passed> CurveTracer::FirstPassed(const std::vector<Co
     {
       continue;
     }
-    // On the parabola through both ends and the middle.
+    // Starts on the parabola through both ends and the middle.
     const Vec3 bend = 4.0 * t * (1.0 - t) * (step.middle.xi - (from.xi + step.point.xi) / 2.0);
     const auto there = Evaluator.InPlane(from.xi + t * chord + bend, { chord, glm::dot(chord, at) },
       kAside * std::sqrt(square) + kPassesSeed);
@@ -230,7 +230,7 @@ std::vector<CurvePiece> CurveTracer::TraceAll(std::vector<ContourSeed>& seeds)
   };
   for (ContourSeed& seed : seeds)
   {
-    // Where it touches a face from inside, it goes on.
+    // A curve that touches a face from inside continues.
     seed.onBoundary = seed.onBoundary && (!HeldFaces.empty() || !IsGrazing(seed));
   }
   for (std::size_t k = 0; k < seeds.size(); ++k)

@@ -47,7 +47,7 @@ void PolynomialCut::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients
       {
         return Form.GradientAround(z);
       }
-      // On the axis there is no direction across it.
+      // On the axis the direction across it is undefined.
       const double root = std::sqrt(std::max(0.0, Form.b->At(z)));
       const Vec3 gradient = Form.a.GradientAt(z);
       return root > 0.0 ? gradient - Form.b->GradientAt(z) / (2.0 * root) : gradient;

@@ -22,7 +22,7 @@ public:
   [[nodiscard]] bool IsAnothers(int element, int face, const CurvePoint& point) const;
 
 private:
-  /// About that of the face, in world units squared.
+  /// An estimate of the area of the face, in world units squared.
   [[nodiscard]] double AreaOf(int element, int face) const;
   /// The smallest face of another element at the point; none where there is none.
   [[nodiscard]] ElementFace SmallestOther(int element, const Vec3& x) const;

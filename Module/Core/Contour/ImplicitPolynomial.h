@@ -25,7 +25,7 @@ struct QuadraticPolynomial
   [[nodiscard]] double At(const Vec3& z) const;
   [[nodiscard]] Vec3 GradientAt(const Vec3& z) const;
   ///@{
-  /// The same in an arithmetic with bounds (Interval, ChebyshevModel).
+  /// Evaluates in an arithmetic with bounds (Interval, ChebyshevModel).
   template <class Number>
   [[nodiscard]] Number At(const std::array<Number, 3>& z) const
   {
@@ -84,7 +84,7 @@ struct ImplicitPolynomial
   [[nodiscard]] int Degree() const { return b ? 4 : a.IsLinear() ? 1 : 2; }
   [[nodiscard]] bool IsPlane() const { return Degree() == 1; }
   ///@{
-  /// At x = origin + z.
+  /// The value and the gradient at x = origin + z.
   [[nodiscard]] double ValueAround(const Vec3& z) const;
   [[nodiscard]] Vec3 GradientAround(const Vec3& z) const;
   template <class Number>

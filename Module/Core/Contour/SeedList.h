@@ -12,7 +12,7 @@ namespace pixelexact
 inline constexpr double kOutside = -1e-9;
 /// Distance to a face, in xi, of points that lie on it.
 inline constexpr double kOnFace = 1e-9;
-/// How far, in xi, a contour is searched beside what is undecided.
+/// The distance, in xi, from an undecided place within which a contour is searched.
 inline constexpr double kNear = 1e-2;
 
 /// A part of an element, and the polynomials over it.

@@ -8,16 +8,17 @@
 
 namespace pixelexact
 {
-/// Lines in an element on which a field touches a value without crossing it: F - rho is a square
-/// there, times something. On the surface the field's gradient vanishes along such a line, so that
-/// it is followed as the zeros of the turn along . (grad F x grad s) (CurveEvaluator::FollowTurn).
+/// Finds lines in an element on which a field touches a value without crossing it: F - rho has a
+/// square as a factor there. On the surface the field's gradient vanishes along such a line, so
+/// that it is followed as the zeros of the turn along . (grad F x grad s)
+/// (CurveEvaluator::FollowTurn).
 ///
 /// The direction `along` is that at the first place, so that a line is followed only as long as it
-/// turns by less than a right angle: closed ones are not found.
+/// turns by less than a right angle; closed lines are not found.
 ///
-/// `open`: places next to which they are looked for. Of what is followed the pieces are returned on
-/// which the value is reached at all points to within twice what the rounding of the coefficients
-/// can move the field by. Nothing is proven of them: rounding alone may part or remove such a line.
+/// `open`: places next to which lines are searched. Returns the pieces on which the field takes the
+/// value at all points, to within twice the change of the field by the rounding of its
+/// coefficients. They are not proven: rounding alone may split or remove such a line.
 std::vector<CurvePiece> FindTouchedLines(const ContourQuestion& question, int element, double value,
   std::span<const OpenPlace> open, const TraceLimits& limits);
 } // namespace pixelexact

@@ -5,19 +5,19 @@
 
 namespace pixelexact
 {
-/// How seeds are found, and looked for.
+/// Limits of the search for seeds.
 struct SeedAccuracy
 {
-  /// How far, in xi, Newton's iteration may lead from a root of the polynomials: that root, where
-  /// they are the contour's own.
+  /// The largest distance, in xi, between a root of the polynomials and the point to which Newton's
+  /// iteration leads: the same root, if the polynomials are the contour's own.
   double reach = 0.0;
   int boxes = 0; ///< parts that may be looked at
 };
 
 /// Boxes that the root finder takes for a part that is not split any more.
 inline constexpr int kLastBoxes = 1000;
-/// Of a box of the root finder's, as part of one of the element's. In a smaller one the errors of
-/// noisy coefficients, some 1e-12, would leave no root provable.
+/// The smallest box of the root finder, as a fraction of the element's. In a smaller one the errors
+/// of noisy coefficients, some 1e-12, would leave no root provable.
 inline constexpr double kSmallestBox = 0x1p-32;
 
 /// Finds where contours turn along a direction of eta: are normal to it.

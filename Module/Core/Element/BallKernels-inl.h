@@ -18,7 +18,7 @@ namespace pixelexact::HWY_NAMESPACE
 /// Values over a box, per component.
 using BallValues = void (*)(
   const Space&, const double* coefficients, int components, const Point<Ball>& xi, Ball* value);
-/// The same and gradients by xi, three per component.
+/// Evaluates values, and gradients by xi, three per component.
 using BallGradients = void (*)(const Space&, const double* coefficients, int components,
   const Point<Ball>& xi, Ball* value, Ball* gradient);
 
@@ -30,7 +30,7 @@ struct BallKernels
   BallValues plainValues;
 };
 
-/// `kPlain`: the tables of functions are those that gradients are made of (BallModes-inl.h).
+/// `kPlain`: the tables of functions are those of the gradients (BallModes-inl.h).
 template <template <class, class, bool> class Modes, bool kPlain>
 void ValuesOf(const Space& space, const double* coefficients, int components, const Point<Ball>& xi,
   Ball* value)

@@ -67,7 +67,8 @@ struct NumberTraits<Dual>
   static Dual SplatScalar(double value) { return { value, {} }; }
 };
 
-/// As for Lanes; at the collapsed vertex the derivatives depend on the way there, and are zero.
+/// The same as for Lanes. At the collapsed vertex the derivatives depend on the direction, and are
+/// set to zero.
 inline Dual CollapsedQuotient(const Dual& y, const Dual& t)
 {
   return std::abs(t.value) > 1e-8

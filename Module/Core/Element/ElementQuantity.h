@@ -12,8 +12,8 @@
 
 namespace pixelexact
 {
-/// A scalar on one element, as a function of polynomials in eta: what is asked over boxes of a
-/// component of a field, of a gradient, of det J or of an expression.
+/// A scalar on one element, as a function of polynomials in eta, for bounds over boxes: a component
+/// of a field, of a gradient, det J or an expression.
 class ElementQuantity : public RangeFunction
 {
 public:
@@ -29,8 +29,8 @@ public:
     const PieceForm::Piece& piece, const Box3& within) const = 0;
 };
 
-/// What is known of a scalar and of its gradient over a box: with d = xi - the box's middle,
-/// |d_k| <= reach_k, the derivatives by xi are in slopes[j](d / reach).
+/// Bounds of a scalar and of its gradient over a box: with d = xi - the box's middle, |d_k| <=
+/// reach_k, the derivatives by xi are in slopes[j](d / reach).
 struct JetBounds
 {
   Interval values; ///< hold all values; everything where one may be NaN
@@ -42,7 +42,7 @@ struct JetBounds
   /// available.
   std::optional<std::array<AffineForm, 6>> seconds;
   Vec3 reach{ 0.0 };
-  /// Values and slopes as Evaluate computes them are no farther off. Infinite where nothing is
+  /// Bounds the errors of values and slopes as Evaluate computes them. Infinite where they are not
   /// known.
   double valueError = 0.0;
   double slopeError = 0.0;
@@ -55,9 +55,9 @@ class ElementJet
 public:
   virtual ~ElementJet() = default;
 
-  /// False where a coefficient is NaN or infinite: nothing may be asked then.
+  /// False where a coefficient is NaN or infinite. The other functions must not be called then.
   [[nodiscard]] virtual bool IsFinite() const = 0;
-  /// The least level on which the polynomials that the jet is made of are converted well.
+  /// The lowest level on which the conversion of the jet's polynomials is accurate.
   [[nodiscard]] virtual int Level() const = 0;
   /// These polynomials in eta over a piece of the cube.
   [[nodiscard]] virtual std::vector<BoxPolynomial> Polynomials(

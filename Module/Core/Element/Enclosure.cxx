@@ -19,7 +19,7 @@ void ProveNothing(int arrays, int count, const BoundArrays& bounds)
   }
 }
 
-/// In place: the middles become lower bounds, the radii upper ones.
+/// Converts in place: the middles become lower bounds, the radii upper ones.
 void ToBounds(const EnclosureProblem& problem, int arrays, int count, bool areDerivatives,
   const BoundArrays& bounds)
 {

@@ -36,10 +36,10 @@ struct EnclosureOptions
 void EncloseValues(const Mesh& mesh, const Field& field, int element, const LanePoints& xi,
   const LanePoints& x, const BoundArrays& values, const EnclosureOptions& options = {});
 
-/// The same of values and of derivatives, `gradients[3 c + d]` of component c by x_d in world
-/// units, of a field that has coefficients. Derivatives are those of the stored field by the stored
-/// map, at the preimage of any point within the mesh's uncertainty of `x[i]`. Everything for mapped
-/// fields.
+/// The same for values and derivatives, `gradients[3 c + d]` of component c by x_d in world units,
+/// of a field that has coefficients. Derivatives are those of the stored field by the stored map,
+/// at the preimage of any point within the mesh's uncertainty of `x[i]`. Mapped fields get -inf to
+/// inf.
 void EncloseGradients(const Mesh& mesh, const Field& field, int element, const LanePoints& xi,
   const LanePoints& x, const BoundArrays& values, const BoundArrays& gradients);
 } // namespace pixelexact

@@ -40,7 +40,7 @@ public:
   /// Components of a value.
   [[nodiscard]] virtual int Components() const = 0;
 
-  /// Throws Unsupported, naming what is missing, where Evaluate has no gradient.
+  /// Throws Unsupported with the reason where Evaluate has no gradient.
   virtual void RequireGradient() const = 0;
 
   /// Whether values depend on the normal of a surface through the point.
@@ -50,10 +50,10 @@ public:
   /// is none, and inside of elements, they may be NaN.
   [[nodiscard]] virtual bool NeedsNeighbours() const = 0;
 
-  /// At points of one element: `value[c]` and, unless it is null, `gradient[3 c + d]`, the
-  /// derivative of component c by x_d in world units, as arrays of PaddedCount(xi.count) numbers.
-  /// NaN and infinite where the function is. Throws as RequireGradient, and Unsupported where
-  /// normals are needed and not given.
+  /// Evaluates at points of one element: `value[c]` and, unless it is null, `gradient[3 c + d]`,
+  /// the derivative of component c by x_d in world units, as arrays of PaddedCount(xi.count)
+  /// numbers. NaN and infinite where the function is. Throws as RequireGradient, and Unsupported
+  /// where normals are needed and not given.
   virtual void Evaluate(const Mesh& mesh, int element, const FunctionPoints& points,
     double* const* value, double* const* gradient) const = 0;
 
@@ -70,8 +70,8 @@ public:
   /// Returns whether JetOnElement gives a jet. Functions with jumps or normals and those without a
   /// gradient have none.
   [[nodiscard]] virtual bool HasJets() const = 0;
-  /// The same with its gradient; null where there is none. `coordinateErrors`: how far points are
-  /// off the images of their xi, in world units.
+  /// The same with its gradient; null where there is none. `coordinateErrors`: bounds of the
+  /// distances of points from the images of their xi, in world units.
   [[nodiscard]] virtual std::unique_ptr<ElementJet> JetOnElement(
     const Mesh& mesh, int element, int component, const Vec3& coordinateErrors) const = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the inverse map begins, in lanes: a first guess of xi, and on which side of the faces a xi
-// lies.
+// The start of the inverse map, in lanes: a first guess of xi, and the side of the faces on which a
+// xi lies.
 #if defined(PIXELEXACT_GUESS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_GUESS_INL_H
 #undef PIXELEXACT_GUESS_INL_H
@@ -14,7 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Signed distances to the faces; each widened by the tolerance t of the coordinates it is made of.
+/// Signed distances to the faces, each widened by the tolerance t of the coordinates that it
+/// depends on.
 template <class T>
 HWY_INLINE T WidenedMargin(Shape shape, const Point<T>& xi, const Point<T>& t)
 {

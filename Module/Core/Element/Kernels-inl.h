@@ -126,7 +126,7 @@ void ForOrder(int order, const Set& set)
   (setIf(Const<kOrders>()), ...);
 }
 
-/// The same of the order of a space where that is one in all directions.
+/// The same for a space that has one order in all directions.
 template <int... kOrders, class Set>
 void ForFixedOrder(const Space& space, const Set& set)
 {

@@ -46,7 +46,7 @@ struct Mesh
   [[nodiscard]] Shape ShapeOf(int element) const { return map.SpaceOf(element).shape; }
 };
 
-/// How a field's reference values become world values.
+/// The mapping of a field's reference values to world values.
 enum class Mapping : std::uint8_t
 {
   Identity = 0,      ///< u(x) = F(xi)
@@ -62,8 +62,8 @@ struct Field
   std::string name;
   Expansion values; ///< of F
   Mapping mapping = Mapping::Identity;
-  /// What the field is, if not null: a function without coefficients; of `values`, the components
-  /// alone are there.
+  /// The function that defines the field, if not null: a function without coefficients. `values`
+  /// then has a number of components alone.
   std::shared_ptr<const FieldFunction> function{};
 };
 
@@ -74,10 +74,11 @@ void RequirePolynomials(const Field& field, const std::string& what);
 /// Checks that an expansion's arrays agree: spaces valid, indices and offsets within bounds,
 /// components >= 1. Throws InvalidData naming `what` and the element.
 void Validate(const Expansion& expansion, const std::string& what);
-/// The same for a mesh, and that centres, sizes and coefficients are finite and sizes positive.
+/// The same for a mesh; also checks that centres, sizes and coefficients are finite and sizes
+/// positive.
 void Validate(const Mesh& mesh);
-/// The same for a field on a mesh: also that shapes and number of elements agree and that the
-/// mapping suits the components. Coefficients may be NaN or infinite: that is the solver's data,
-/// and it is shown as such.
+/// The same for a field on a mesh; also checks that shapes and number of elements agree and that
+/// the mapping suits the components. Coefficients may be NaN or infinite: these are the solver's
+/// data, and are shown as such.
 void Validate(const Field& field, const Mesh& mesh);
 } // namespace pixelexact

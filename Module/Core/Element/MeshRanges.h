@@ -14,7 +14,7 @@ using RangeProgress = std::function<void(double)>;
 /// The range of a quantity over a mesh.
 struct MeshRange
 {
-  /// Over all elements whose coefficients are finite; lower > upper where there is none.
+  /// The range over all elements whose coefficients are finite; lower > upper where there is none.
   CertifiedRange range;
   /// Elements that attain the ends of range.attained; -1 where there is none.
   int lowerElement = -1;
@@ -29,9 +29,9 @@ std::vector<CertifiedRange> ElementRanges(const Mesh& mesh, const RangeQuestion&
   const RangeEffort& effort, const RangeProgress& progress = {});
 
 /// The range of a quantity over all elements of a valid mesh. Elements that cannot hold the
-/// extremes are looked at once; the others in rounds of ever more boxes each, up to effort.boxes,
-/// until the outer ends are within effort.tolerance of the attained range. Parallel; the result is
-/// independent of the number of threads. Throws Unsupported as RangeOf.
+/// extremes are visited once; the others in rounds of increasing numbers of boxes each, up to
+/// effort.boxes, until the outer ends are within effort.tolerance of the attained range. Parallel;
+/// the result is independent of the number of threads. Throws Unsupported as RangeOf.
 MeshRange RangeOf(const Mesh& mesh, const RangeQuestion& question, const RangeEffort& effort,
   const RangeProgress& progress = {});
 } // namespace pixelexact

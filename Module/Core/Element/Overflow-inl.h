@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values and gradients whose sums overflow on the way although they themselves do not.
+// Recomputes values and gradients that are finite, but whose sums overflow at intermediate terms.
 //
-// Modes of high orders on collapsed shapes are products of large factors with others that take them
-// back: sums of coefficients near 1e300 overflow within. Sums of coefficients scaled by a power of
-// two are the same sums, so they are made once more with smaller ones.
+// Modes of high orders on collapsed shapes are products of large and small factors, so that sums of
+// coefficients near 1e300 overflow at intermediate terms. Coefficients scaled by a power of two
+// give the same sums up to that scale, so the sums are recomputed with smaller coefficients.
 #if defined(PIXELEXACT_OVERFLOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_OVERFLOW_INL_H
 #undef PIXELEXACT_OVERFLOW_INL_H

@@ -56,7 +56,7 @@ struct OwnedExpansion
   /// `spaces`, `spaceOf` and `components`.
   void Allocate();
 
-  /// The same for elements of these spaces, which are set, too.
+  /// Sets the spaces of the elements and allocates their coefficients.
   void Allocate(std::span<const Space> spaceOfElement, int numberOfComponents);
 
   [[nodiscard]] const Space& SpaceOf(std::size_t element) const

@@ -20,10 +20,11 @@ public:
   static void Add(std::int64_t bytes);
 };
 
-/// Holds objects that are made of an element's polynomials over each piece of the cube (PieceForm).
-/// Each is made where somebody first asks, and kept as long as all stores of the process together
-/// stay within PieceBytes::kMaxBytes; beyond that it is made again for each caller. Which of the
-/// two happens changes no number. Safe to use from several threads. `T` has Bytes().
+/// Holds objects that are computed from an element's polynomials over each piece of the cube
+/// (PieceForm). Each is computed on first use, and kept as long as all stores of the process
+/// together stay within PieceBytes::kMaxBytes; beyond that it is recomputed for each caller.
+/// Results do not depend on which of the two happens. Safe to use from several threads. `T` has
+/// Bytes().
 template <class T>
 class PieceStore
 {
@@ -54,7 +55,8 @@ public:
     if (made == nullptr && PieceBytes::AreLeft())
     {
       made = &Kept.Get(at, make);
-      // Once more, where two threads made them: a bound all the same, until it is all given back.
+      // Counts an object twice where two threads created it: still an upper bound, until all of it
+      // is returned.
       const auto bytes = static_cast<std::int64_t>(made->Bytes());
       PieceBytes::Add(bytes);
       Bytes.fetch_add(bytes, std::memory_order_relaxed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inverse map of many points of one element at a time, and what the result of Newton's
-// iteration says of the shape; see Kernels.h. T is Lanes.
+// The inverse map of many points of one element at a time, and the classification of its results
+// as inside or outside the shape; see Kernels.h. T is Lanes.
 #if defined(PIXELEXACT_PREIMAGE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_PREIMAGE_INL_H
 #undef PIXELEXACT_PREIMAGE_INL_H

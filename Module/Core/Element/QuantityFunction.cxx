@@ -61,8 +61,8 @@ Interval NormRange(const std::vector<AffineForm>& v)
   return norm;
 }
 
-/// Where the affine parts are smallest, by least squares: a zero of v, up to O(w^2), if the box
-/// holds one.
+/// The place where the affine parts are smallest, by least squares: a zero of v, up to O(w^2), if
+/// the box holds one.
 std::array<double, 3> LeastNorm(const std::vector<AffineForm>& v)
 {
   Mat3 normal(0.0);

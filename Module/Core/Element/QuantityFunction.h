@@ -20,9 +20,9 @@ public:
   [[nodiscard]] Interval AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const override;
   [[nodiscard]] int TellingDifference() const override;
 
-  /// Where J is constant up to rounding (straight simplices), replaces the nine derivatives and
-  /// what comes after them by the polynomials in eta that the quantity, or the vector whose norm it
-  /// is, then consists of: they cost a fraction, and their hulls are sharp.
+  /// Where J is constant up to rounding (straight simplices), replaces the nine derivatives and the
+  /// polynomials after them by the polynomials in eta of the quantity, or of the vector whose norm
+  /// it is: they cost a fraction, and their hulls are sharp.
   void ToWorld(std::vector<BoxPolynomial>& polynomials) const;
 
   /// The quantity is of dimension length^this, times the field's.

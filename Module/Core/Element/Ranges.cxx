@@ -70,7 +70,7 @@ FieldQuantity::FieldQuantity(const Mesh& mesh, int element, const RangeQuestion&
       (question.quantity == Quantity::Magnitude || question.field->mapping == Mapping::Covariant ||
         question.field->mapping == Mapping::Contravariant);
     const int count = all ? values.components : 1;
-    // Those of other components neither need to be finite nor to be of its size.
+    // Other components need not be finite, and do not influence the scale.
     const Space& space = values.SpaceOf(element);
     auto& field = Field.emplace(space,
       values.Coefficients(element) +

@@ -11,8 +11,8 @@ namespace pixelexact
 {
 /// A field without the modes of its canonical basis (Space.h) that no space of a lower order has.
 /// The basis is orthogonal on the reference shape (that of a pyramid's Tensor form on the cube of
-/// eta), so that what is kept is the best approximation of that order there, in the mean square, of
-/// the reference values F; neighbours are not joined again. Fields of that order or less lose
+/// eta), so that the result is the best approximation of that order there, in the mean square, of
+/// the reference values F. Neighbours are not joined again. Fields of that order or less lose
 /// nothing.
 class Truncation
 {
@@ -21,8 +21,8 @@ public:
   /// the field may go afterwards. The field must be valid.
   Truncation(const Field& field, int order);
 
-  /// Views of what is kept here, in the spaces of the lower orders; and of what was dropped, in the
-  /// field's own ones. The two add up to the field exactly.
+  /// Views of the kept modes, in the spaces of the lower orders, and of the dropped ones, in the
+  /// field's own spaces. The two add up to the field exactly.
   [[nodiscard]] Field Kept() const;
   [[nodiscard]] Field Dropped() const;
 

@@ -14,8 +14,8 @@ namespace
 {
 /// The memory limit of one element: 64 MiB.
 constexpr std::size_t kMaxHeld = std::size_t{ 1 } << 23U;
-/// Where a box's enclosure reaches below zero by less than this many times the width of the
-/// enclosure of a point, subdivision finds no point that is proven to be negative.
+/// Subdivision finds no point that is proven to be negative where a box's enclosure reaches below
+/// zero by less than this many times the width of the enclosure of a point.
 constexpr double kRoundingOnly = 8.0;
 
 /// Whether subdivision can neither prove that the function is positive in a box nor that it is

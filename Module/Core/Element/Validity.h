@@ -7,9 +7,9 @@
 
 namespace pixelexact
 {
-/// What is proven of the sign of an element's det J (by xi, so that collapsed vertices, where it is
-/// regular, need no exception), after A. Johnen, J.-F. Remacle, C. Geuzaine, Geometrical validity
-/// of curvilinear finite elements, Journal of Computational Physics 233, 2013.
+/// The proven sign of an element's det J by xi, which is regular at collapsed vertices, so that
+/// these need no exception. After A. Johnen, J.-F. Remacle, C. Geuzaine, Geometrical validity of
+/// curvilinear finite elements, Journal of Computational Physics 233, 2013.
 enum class [[nodiscard]] Validity : std::uint8_t{
   Valid = 0,    ///< positive everywhere: the map does not fold
   Inverted = 1, ///< not positive at some point; also where it is negative everywhere

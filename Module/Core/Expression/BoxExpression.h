@@ -44,7 +44,7 @@ private:
   BoxLeaves Leaves;
 };
 
-/// The same with its gradient.
+/// The same with the gradient.
 class BoxJet final : public ElementJet
 {
 public:

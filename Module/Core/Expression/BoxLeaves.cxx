@@ -170,7 +170,7 @@ void BoxLeaves::NeedJacobian()
   NeedsJacobian = true;
 }
 
-/// Adds what is not in the list yet.
+/// Adds a function's polynomials if they are not in the list yet.
 void BoxLeaves::Choose(const ScaledModes& modes, int component, bool slopes, Places& places)
 {
   int& place = slopes ? places.slope : places.value;

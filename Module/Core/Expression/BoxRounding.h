@@ -11,14 +11,14 @@ namespace pixelexact
 /// of its arguments. `result` holds the exact values.
 [[nodiscard]] double RoundingOf(
   const Graph::Node& node, std::span<const BoxValue> arguments, const Interval& result);
-/// With the rounding of an operation itself, `own` relative to its result, beside what becomes of
-/// the arguments' errors.
+/// Adds the rounding of an operation itself, `own` relative to its result, to the propagated errors
+/// of the arguments.
 [[nodiscard]] double RoundedError(double propagated, double own, const Interval& result);
 
 /// Whether a node may jump in the box.
 [[nodiscard]] bool MayJump(
   const Graph::Node& node, std::span<const BoxValue> arguments, const Interval& result);
-/// Of Min, Max and Select, the argument that is chosen on all of the box; null where that is not
+/// The argument of Min, Max or Select that is chosen on all of the box; null where that is not
 /// known.
 [[nodiscard]] const BoxValue* Chosen(const Graph::Node& node, std::span<const BoxValue> arguments);
 } // namespace pixelexact

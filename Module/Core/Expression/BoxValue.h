@@ -16,9 +16,10 @@ struct BoxValue
 {
   AffineForm form;
   KnownInterval known;
-  /// At any point of the box, the double that the program computes is no farther from the value.
+  /// Bounds the distance between the value and the double that the program computes, at any point
+  /// of the box.
   double error = 0.0;
-  /// Whether the scalar may jump in the box: steps, comparisons, and what is chosen by them.
+  /// Whether the scalar may jump in the box: steps, comparisons, and selections by them.
   bool mayJump = false;
 
   BoxValue() = default;
@@ -34,7 +35,7 @@ struct BoxValue
   /// `range` and the form's own are both proven.
   BoxValue(const AffineForm& itsForm, const KnownInterval& interval);
 
-  /// A scalar of which nothing is known.
+  /// A scalar without any bound.
   static BoxValue Unknown() { return BoxValue(KnownInterval{ Interval::Everything(), true }); }
 
   /// Holds all values; everything where one may be NaN.

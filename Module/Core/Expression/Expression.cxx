@@ -185,7 +185,7 @@ private:
     Scalars.AllowThirds(false);
     return available;
   }
-  /// Whether BoxLeaves knows all that the nodes are made of.
+  /// Whether BoxLeaves supports all leaves of the nodes.
   [[nodiscard]] bool IsBounded(const std::vector<int>& nodes) const
   {
     const NodeList list(Scalars, nodes);
@@ -219,7 +219,7 @@ private:
   std::optional<IntervalProgram> Bounds;
   std::vector<std::shared_ptr<const NodeList>> OfComponent; ///< for OnElement
   std::shared_ptr<const NodeList> All;
-  // Made when somebody first asks.
+  // Computed on first use.
   mutable tbb::collaborative_once_flag Differentiated;
   mutable Graph Scalars;
   mutable std::optional<CompiledGraph> WithGradient;

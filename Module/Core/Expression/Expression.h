@@ -48,10 +48,10 @@ public:
 /// there, by the chain rule; nothing is sampled. Errors are the rounding of the kernels and of each
 /// operation.
 ///
-/// `scope`'s fields, numbers and locator must outlive it. Throws InvalidData for what is no
-/// expression, for names that mean nothing and for shapes that do not fit, with the place in the
-/// text; Unsupported for derivatives that are not available: third ones of fields, second ones of
-/// mapped fields (H(curl), H(div), densities), and those of det J.
+/// `scope`'s fields, numbers and locator must outlive it. Throws InvalidData for text that is no
+/// expression, for unknown names and for shapes that do not fit, with the place in the text;
+/// Unsupported for derivatives that are not available: third ones of fields, second ones of mapped
+/// fields (H(curl), H(div), densities), and those of det J.
 [[nodiscard]] std::shared_ptr<const FieldExpression> MakeExpression(
   const std::string& text, const ExpressionScope& scope);
 

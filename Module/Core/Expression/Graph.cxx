@@ -113,7 +113,7 @@ double Apply(Operation operation, double a, double b, double c)
     case Operation::Divide:
       return a / b;
     case Operation::Power:
-      // As a product, which is faster, and what squares and cubes are written for.
+      // Squares and cubes are products, which is faster and what users mean by them.
       return b == 2.0 ? a * a : b == 3.0 ? a * a * a : std::pow(a, b);
     case Operation::Atan2:
       return std::atan2(a, b);

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// How a node of a Graph is computed. The operations before Negate have no arguments.
+/// The operation that computes a node of a Graph. Operations before Negate have no arguments.
 enum class Operation : std::uint8_t
 {
   Constant,
@@ -71,7 +71,7 @@ class Graph
 {
 public:
   static constexpr int kMaxArguments = 6;
-  /// More throw InvalidData.
+  /// A graph with more nodes throws InvalidData.
   static constexpr std::size_t kMaxNodes = 20'000;
 
   struct Node
@@ -104,7 +104,7 @@ public:
   int Jump(int node);
 
   /// Returns d node / d x_d by the chain rule. Functions with steps (sign, floor, comparisons) are
-  /// differentiated beside the steps. Throws Unsupported for third derivatives of fields and for
+  /// differentiated away from the steps. Throws Unsupported for third derivatives of fields and for
   /// derivatives of det J, of normals, of eigenvectors and of jumps.
   int Derivative(int node, int d);
   /// Whether third derivatives of fields become nodes of the graph.

@@ -13,7 +13,7 @@ namespace pixelexact
 {
 namespace
 {
-/// By which values of the C library are taken to be off, as a part of their size.
+/// The assumed relative error of values of the C library.
 constexpr double kOfLibrary = 0x1p-49;
 /// And of values that underflow: 16 times the least number.
 constexpr double kOfUnderflow = 0x1p-1070;
@@ -43,8 +43,8 @@ Interval Growing(const Interval& a, const Function& function)
   return a.IsFinite() ? Widened(function(a.lower), function(a.upper)) : Interval::Everything();
 }
 
-/// Encloses the values of sin, shifted by so many quarters of a turn: -1 and 1 where they may be
-/// met.
+/// Encloses the values of sin, shifted by so many quarters of a turn; -1 and 1 where `a` may
+/// contain their places.
 Interval Wave(const Interval& a, double quarters, double lower, double upper)
 {
   // Beyond this the turns are not counted.
@@ -142,7 +142,7 @@ Interval AngleOf(const Interval& y, const Interval& x)
   return Widened(std::min(corners), std::max(corners));
 }
 
-/// By Weyl's inequality: eigenvalues move by no more than the matrix.
+/// By Weyl's inequality, eigenvalues change by no more than the norm of the matrix's change.
 Interval EigenvalueOf(std::span<const Interval> entries, int number)
 {
   std::array<double, 6> middle{};

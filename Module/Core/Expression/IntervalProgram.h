@@ -24,7 +24,7 @@ public:
   IntervalProgram(const Graph& graph, std::span<const int> outputs,
     std::span<const Field* const> fields, std::span<const std::int64_t> numbers);
 
-  /// As FieldFunction::Enclose, of the outputs.
+  /// The same as FieldFunction::Enclose, for the outputs.
   void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,
     const BoundArrays& out) const;
 

@@ -38,7 +38,7 @@ std::size_t CurvatureAt(int a, int b)
   return HessianFunction::kPlaces[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
 }
 
-/// In place of the derivatives by xi, those by y = x / size.
+/// Replaces the derivatives by xi by those by y = x / size.
 void ToSlopes(int count, double* const* inverse, double* const* slope)
 {
   std::array<double*, 3> s{ slope[0], slope[1], slope[2] };
@@ -54,7 +54,7 @@ void ToSlopes(int count, double* const* inverse, double* const* slope)
   }
 }
 
-/// By the cofactors, in lanes.
+/// Inverts by the cofactors, in lanes.
 void Invert(int count, double* const* jacobian, double* const* inverse)
 {
   for (int i = 0; i < count; ++i)

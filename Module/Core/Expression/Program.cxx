@@ -30,7 +30,7 @@ template <class Function>
 void ForAll(int count, double* out, const Operand& a, const Operand& b, const Function& function)
 {
   const auto n = static_cast<std::size_t>(count);
-  // Strides that the compiler knows: the loops of arrays become lanes.
+  // With strides that the compiler knows, the loops over arrays become lanes.
   if (a.stride == 1 && b.stride == 1)
   {
     for (std::size_t i = 0; i < n; ++i)
@@ -135,7 +135,7 @@ Program::Program(const Graph& graph, std::vector<int> outputs)
     Step step{ .operation = node.operation, .a = node.a, .b = node.b };
     for (std::size_t k = 0; k < node.arguments.size(); ++k)
     {
-      // Where an operation takes fewer, the first argument stands for the others.
+      // Where an operation takes fewer arguments, the first one replaces the others.
       const int argument = node.arguments[k] >= 0 ? node.arguments[k] : node.arguments[0];
       step.arguments[k] = places.at(argument);
       if (node.arguments[k] >= 0 && --uses[argument] == 0 &&

@@ -26,7 +26,7 @@ public:
     std::vector<double>& scratch) const;
 
 private:
-  /// Where a node's values are: in a register of the scratch, in a leaf's array, or a constant.
+  /// The place of a node's values: a register of the scratch, a leaf's array, or a constant.
   struct Place
   {
     enum class Kind : std::uint8_t

@@ -27,7 +27,7 @@ struct Tensor
 
 Tensor ScalarOf(int node);
 Tensor VectorOf(std::vector<int> nodes);
-/// Throws InvalidData, naming `what`, for what is no scalar.
+/// Throws InvalidData, naming `what`, unless the tensor is a scalar.
 void RequireScalar(const Tensor& tensor, const std::string& what);
 /// "a scalar", "a vector of 3 components", "a matrix of 3 x 3".
 std::string NameOf(const Tensor& tensor);
@@ -54,7 +54,7 @@ public:
   /// Names of all functions, for messages.
   static std::string Functions();
 
-  // Those that others are made of.
+  // Elementary operations.
   Tensor Add(const Tensor& a, const Tensor& b, Operation operation = Operation::Add);
   Tensor Scale(const Tensor& a, int factor);
   Tensor Product(const Tensor& a, const Tensor& b);

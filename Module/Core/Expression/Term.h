@@ -27,12 +27,12 @@ struct Term
   std::vector<Term> children{};
 };
 
-/// Reads an expression. Throws InvalidData, with the place (AtPlace), for what is none, for more
-/// than 4096 characters and more than 64 brackets or powers within each other.
+/// Reads an expression. Throws InvalidData, with the place (AtPlace), for text that is no
+/// expression, for more than 4096 characters and more than 64 brackets or powers within each other.
 ///
-/// From the weakest to the strongest: || && comparisons + - * / unary-minus-and-! ^ (or **, from
-/// the right), then [i], [i,j], .x, .y, .z. Names are letters, digits and _; others stand in double
-/// or single quotes.
+/// Operators from the weakest to the strongest: || && comparisons + - * / unary-minus-and-! ^ (or
+/// **, from the right), then [i], [i,j], .x, .y, .z. Names are letters, digits and _; others stand
+/// in double or single quotes.
 [[nodiscard]] Term ParseExpression(const std::string& text);
 
 /// The message, and below it the text with a caret below the character at `at`.

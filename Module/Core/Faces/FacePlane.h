@@ -22,6 +22,6 @@ struct FacePlane
   }
 };
 
-/// Those of all faces of a shape, in the order of FacesOf.
+/// The planes of all faces of a shape, in the order of FacesOf.
 std::span<const FacePlane> FacePlanesOf(Shape shape);
 } // namespace pixelexact

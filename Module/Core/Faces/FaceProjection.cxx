@@ -13,11 +13,11 @@ namespace pixelexact
 namespace
 {
 constexpr int kMaxSteps = 20;
-/// After a step smaller than this, of the face, the next one is of rounding size.
+/// After a step smaller than this, relative to the face, the next one is of rounding size.
 constexpr double kSmallStep = 1e-10;
 
-/// One over the tolerance, per coordinate: what is off by as many tolerances is as far, so that
-/// thin faces are not lost in the rounding of their length.
+/// One over the tolerance, per coordinate: distances count in tolerances, so that thin faces are
+/// not lost in the rounding of their length.
 Vec3 Weights(const Vec3& tolerance)
 {
   constexpr double kMinPart = 1e-8; // a coordinate may be known exactly, as 0

@@ -13,8 +13,8 @@ namespace pixelexact
 class ValueIndex
 {
 public:
-  /// `boxes`: looked at per element, at most; more make ranges tighter. Throws Unsupported where
-  /// the question has no answer. The arrays are not needed afterwards.
+  /// `boxes`: the largest number visited per element; more make ranges tighter. Throws Unsupported
+  /// as RequireAnswer. The arrays are not needed afterwards.
   explicit ValueIndex(const Mesh& mesh, const RangeQuestion& question, int boxes = kFewBoxes);
 
   /// The elements whose range meets these values, in ascending order. An element that takes one of

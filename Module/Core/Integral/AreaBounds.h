@@ -9,6 +9,6 @@ namespace pixelexact
 /// Bounds of the integrals over whatever part of the cut-surface is in a box, by
 /// IntegralCut::AreaIn.
 Sums BoundIn(ElementFunctions& functions, const PieceBox& box);
-/// The same where the surface is a graph of some of the (a, b), by ranges of the integrand.
+/// The same where the surface is a graph over some of the (a, b), by ranges of the integrand.
 Sums BoundOn(ElementFunctions& functions, const CutGraph& graph);
 } // namespace pixelexact

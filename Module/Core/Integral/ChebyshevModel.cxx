@@ -190,8 +190,8 @@ ChebyshevModel ChebyshevModel::Times(double factor) const
 
 ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b)
 {
-  // T_i T_k = (T_{i+k} + T_{|i-k|}) / 2, in both variables; all of the product first. Of one pair
-  // of i and k, row[n + m] is the factor of T_m; what is before the middle is folded at last.
+  // T_i T_k = (T_{i+k} + T_{|i-k|}) / 2, in both variables. The whole product comes first: for one
+  // pair of i and k, row[n + m] is the factor of T_m; negative m are folded at the end.
   constexpr std::size_t n = kDegree;
   double all[2 * n + 1][2 * n + 1] = {};
   for (std::size_t i = 0; i <= n; ++i)

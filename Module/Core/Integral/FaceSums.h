@@ -14,7 +14,7 @@ struct SeenFace
   double sense = 1.0;
 };
 
-/// Over all of them, to a common tolerance. In parallel.
+/// Integrates over all faces, to a common tolerance. In parallel.
 SurfaceIntegral OverFaces(const IntegralQuestion& question, std::span<const SeenFace> faces,
   const IntegralEffort& effort, const Deadline& deadline);
 } // namespace pixelexact

@@ -9,18 +9,19 @@
 
 namespace pixelexact
 {
-/// How far to go.
+/// Tolerance and limits of an integral.
 struct IntegralEffort
 {
   /// The bound of each integral's error is to be this part of the integral of the magnitude, or
   /// less; 0 < tolerance.
   double tolerance = 1e-8;
-  /// Infinite: as long as it takes. Else what is known when they are over is given.
+  /// The limit of time; infinite: none. When it is exceeded, the bounds reached by then are
+  /// returned.
   double seconds = std::numeric_limits<double>::infinity();
   std::int64_t boxes = 200000; ///< looked at, per element
 };
 
-/// The integrals and what is known of them.
+/// The integrals with their bounds.
 struct SurfaceIntegral
 {
   /// Hold the area, the integral of each component, and of a vector of three components the flux,
@@ -44,16 +45,16 @@ struct SurfaceIntegral
   bool isNumeric = false;
 };
 
-/// Over where a cut-surface is in a mesh: see Documentation/integrals.md for the method and for
-/// what is proven. The locator is the mesh's. In parallel; unless the time is over, the result does
-/// not depend on threads.
+/// Integrates over the part of a cut-surface in a mesh: see Documentation/integrals.md for the
+/// method and for what is proven. The locator is the mesh's. In parallel; unless the time is over,
+/// the result does not depend on threads.
 SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& locator,
   const FaceTable& faces, const IntegralEffort& effort);
 
 /// Adds the integrals over another surface.
 void AddTo(SurfaceIntegral& sum, const SurfaceIntegral& more);
 
-/// Over faces of elements.
+/// Integrates over faces of elements.
 SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const ElementFace> faces,
   const IntegralEffort& effort);
 } // namespace pixelexact

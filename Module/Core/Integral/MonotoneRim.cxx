@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-/// How far beyond [-1, 1] a rim's model may reach.
+/// The distance beyond [-1, 1] that a rim's model may reach.
 constexpr double kBeyondSquare = 1e-3;
 /// Errors of an end whose values count as zero. Every number is proven, because `strip` holds what
 /// such values leave open. Where the function is zero at the end, its coefficients there are within
@@ -48,7 +48,7 @@ double ValueAt(const ChebyshevModel& f, double s, double t)
   return sum;
 }
 
-/// At t = end, -1 or 1, in Bernstein's form of s.
+/// The function at t = end, -1 or 1, in Bernstein form of s.
 BoxPolynomial AtEnd(const ChebyshevModel& f, double end)
 {
   const ChebyshevInBernstein& basis = ChebyshevInBernstein::Get();

@@ -18,8 +18,9 @@ struct ApexRoot
 /// Where it is all that keeps a box from excluding the point, the point is within it.
 bool IsAtApex(Shape shape, const NodeFrame& frame);
 
-/// Of y, by Newton's iteration with a Jacobian of its own: the box's, which is wide as seen from
-/// the apex, may lead away. What is found outside of the box's enclosure says nothing of the box.
+/// Finds the root of y by Newton's iteration with a Jacobian of its own. The box's Jacobian belongs
+/// to a box that is wide as seen from the apex, and may lead away. A root outside the box's
+/// enclosure says nothing about the box.
 ApexRoot RootAtApex(
   const InverseProblem& problem, RootChecker& checker, const NodeFrame& frame, const Vec3& y);
 } // namespace pixelexact

@@ -10,8 +10,8 @@
 namespace pixelexact
 {
 /// The work of Locator::Locate on one batch of points: for each element that a group of points may
-/// lie in, all of them at once, from the rejects over the inverse map to the sink, so that what is
-/// known of the element is loaded once.
+/// lie in, all points at once, from rejection over the inverse map to the sink, so that the
+/// element's data are loaded once.
 class Locator::Batch
 {
 public:

@@ -43,8 +43,8 @@ void FoundRoots::Keep(std::size_t point, const InverseRoot& root, const RootChec
   {
     lanes.xi.x[d][point] = root.xi[d];
   }
-  // Where the root really is, it must be in the reach; nobody knows where that is if its
-  // Jacobian is singular, or the map does not take it to the point.
+  // The true root must be in the reach. Its place is unknown if its Jacobian is singular, or the
+  // map does not take it to the point.
   const double error = MaxAbs(check.tolerance);
   lanes.tolerance[point] =
     error > 0.0 && check.holds ? kSameRoot - std::max(error - kSameRoot, 0.0) : kNan;

@@ -21,7 +21,8 @@ public:
   /// Newton correction. The arrays live until the call returns.
   virtual void Inside(
     int element, std::span<const int> index, const double* const xi[3], const double* residual) = 0;
-  /// Where point `index` lies is unknown; `element` is the first that might hold it.
+  /// Reports that the position of point `index` is unknown; `element` is the first that might hold
+  /// it.
   virtual void Unknown(int index, int element) = 0;
 };
 
@@ -46,7 +47,7 @@ public:
   virtual void Undecided(int index, int element) = 0;
 };
 
-/// How often each path was taken; sums over all calls, for reports and tests.
+/// Counts how often each path was taken, over all calls, for reports and tests.
 struct LocationCounters
 {
   std::atomic<std::int64_t> queries{ 0 };    ///< BVH queries
@@ -70,9 +71,9 @@ struct LocationCounters
 class Locator
 {
 public:
-  /// Builds boxes and BVH, in parallel; what else is known of an element is made when a point first
-  /// needs it. The mesh must be valid (Validate); its arrays must outlive
-  /// the locator. An empty mesh is allowed and holds no point.
+  /// Builds boxes and BVH, in parallel; other data of an element are computed when a point first
+  /// needs them. The mesh must be valid (Validate); its arrays must outlive the locator. An empty
+  /// mesh is allowed and holds no point.
   explicit Locator(const Mesh& mesh)
     : index_(mesh)
   {
@@ -89,7 +90,7 @@ public:
   void LocateAll(std::span<const Vec3> points, PreimageSink& sink) const;
 
   [[nodiscard]] const ElementIndex& Index() const { return index_; }
-  /// To set the trees' limit.
+  /// Access for setting the trees' limit.
   [[nodiscard]] ElementIndex& Index() { return index_; }
   [[nodiscard]] const Mesh& GetMesh() const { return index_.GetMesh(); }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.

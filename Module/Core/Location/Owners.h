@@ -7,7 +7,7 @@
 
 namespace pixelexact
 {
-/// How often a mesh covers a point.
+/// How many elements of a mesh cover a point.
 enum class Coverage : std::uint8_t
 {
   None = 0, ///< no element holds the point, by proof: outside, or a gap
@@ -32,7 +32,7 @@ struct Owners
 /// depends on point and mesh alone. Points with NaN or infinite coordinates have no owner.
 void FindOwners(const Locator& locator, std::span<const Vec3> points, std::span<Owners> owners);
 
-/// The same for points that lie close together, serially: for use inside of a parallel loop.
+/// The same for points that lie close together, serially, for use inside a parallel loop.
 void FindOwnersOfTile(
   const Locator& locator, std::span<const Vec3> points, std::span<Owners> owners);
 } // namespace pixelexact

@@ -63,8 +63,8 @@ std::uint64_t SelectInBox(const LanePoints& points, int begin, std::uint64_t bit
     [&](int i) PIXELEXACT_INLINED { return InBox(LoadPoint<Lanes>(points, begin + i), box); });
 }
 
-/// An element's frame in lanes: loaded once, for what is stored might be it as far as the compiler
-/// knows.
+/// An element's frame in lanes. It is loaded once into local variables, because the compiler must
+/// assume that a store could change the original.
 class ElementFrame
 {
 public:
@@ -92,8 +92,8 @@ public:
     return Beyond(Apply(Inverse, y), { { none, none, none } }, none, none);
   }
 
-  /// Of a box in each lane, whether the test above excludes all of its points, and whether it
-  /// excludes none.
+  /// Whether the test above excludes all points of the box in each lane, and whether it excludes
+  /// none.
   struct Classification
   {
     LaneMask none;
@@ -128,7 +128,7 @@ public:
         error.x[d] = across(m[3 * d], m[3 * d + 1], m[3 * d + 2], rounding);
         reach.x[d] = across(m[3 * d], m[3 * d + 1], m[3 * d + 2], extent) + error.x[d];
       });
-    // Along the slanted faces' normals, sums of rows: rows may cancel, their errors do not.
+    // The sums of rows along the slanted faces' normals: rows may cancel, their errors do not.
     Lanes first = zero;
     Lanes second = zero;
     if (shape_ == Shape::Tetrahedron)
@@ -264,7 +264,7 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
       }
     }
     const std::uint64_t kept = BitsOf(in);
-    // Mostly all or none of a pack are kept.
+    // Most packs are kept as a whole or not at all.
     if (kept == pack)
     {
       ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(x.x[d], to[d] + count); });

@@ -17,8 +17,8 @@ private:
   std::vector<double*> Pointers;
 };
 
-/// Writes what a locator finds of `points`, and the field's values there; `field` may be null, and
-/// without enclosures `points` are not looked at. All must outlive the sink.
+/// Writes the results of a locator for `points`, and the field's values there. `field` may be null;
+/// without enclosures `points` are not read. All must outlive the sink.
 class SamplingSink final : public LocationSink
 {
 public:

@@ -7,7 +7,7 @@
 // underflows. The radius itself is a sum of products of numbers that are not negative, at most
 // eight roundings deep, so kUp = 1 + 16 u makes up for those, and kTiny for every underflow; kTiny
 // is a normal number far above them, so that flushing to zero costs no certificate either. NaN and
-// infinity pass into the radius and stay there: such a ball says nothing.
+// infinity pass into the radius and stay there: such a ball bounds nothing.
 #if defined(PIXELEXACT_BALL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_BALL_INL_H
 #undef PIXELEXACT_BALL_INL_H

@@ -7,7 +7,7 @@
 
 namespace pixelexact
 {
-/// Up to 64 points or chunks, a bit each.
+/// A set of up to 64 points or chunks, a bit each.
 using Bits = std::uint64_t;
 
 constexpr Bits BitOf(std::size_t i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A number type that holds twice as many floats as Lanes holds doubles, with what the evaluation of
-// a modal sum needs, and the way from doubles and back. Included once per instruction set.
+// A number type that holds twice as many floats as Lanes holds doubles, with the operations of
+// a modal sum, and conversions from and to doubles. Included once per instruction set.
 #if defined(PIXELEXACT_FLOAT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_FLOAT_LANES_INL_H
 #undef PIXELEXACT_FLOAT_LANES_INL_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place that knows Highway: a number type `Lanes` that holds as many doubles as the
-// instruction set allows, with the operations that the kernels' templates use. Included once per
+// The number type `Lanes` holds as many doubles as the instruction set allows, with the operations
+// that the kernels' templates use. Only these files depend on Highway. Included once per
 // instruction set, hence the toggling guard (Highway's convention).
 #if defined(PIXELEXACT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_LANES_INL_H

@@ -132,7 +132,7 @@ inline void Solve(const double (&solution)[3][3], double (&v)[3])
   }
 }
 
-/// The same from row sums of |E|, below 1.
+/// The same from row sums of |E|, each below 1.
 inline void Solve(const double (&turn)[3], double (&v)[3])
 {
   const double largest = std::max({ v[0], v[1], v[2] });

@@ -27,7 +27,7 @@ constexpr int kMaxOrder = 16;
 constexpr Part kValue[1] = { Part::Value };
 /// Largest ratio of the kernels' rounding to that of conversions (see RoundingInKernels).
 constexpr double kKernels = 4.0;
-/// Covers what is left out of bounds that are far smaller than what they bound.
+/// Covers terms that are omitted because they are far smaller than the bounds.
 constexpr double kBoundSlack = 1.0 + 0x1p-10;
 
 /// Nodes of a space, and the modes of what has values there.
@@ -40,17 +40,17 @@ struct Interpolation
   double lebesgue = 0.0; ///< bounds the polynomial that is at most 1 at the nodes
 };
 
-/// Of Gauss-Lobatto nodes on lines, to order 16 (they are 1 to 2.5), and of equispaced ones (1 to
-/// 935; L. Trefethen and J. Weideman, J. Approx. Theory 65, 1991).
+/// Lebesgue constants of Gauss-Lobatto nodes on lines, to order 16 (they are 1 to 2.5), and of
+/// equispaced ones (1 to 935; L. Trefethen and J. Weideman, J. Approx. Theory 65, 1991).
 constexpr double kOfGaussLobatto = 3.0;
 double OfEquispaced(int order)
 {
   return std::ldexp(1.0, order + 1) / (order + 1);
 }
 
-/// Of a triangle's or a tetrahedron's nodes, by the magnitudes of all Lagrange functions at
-/// Chebyshev points in each eta: with 3/2 as many as the degree, polynomials are at most twice as
-/// large between them (H. Ehlich and K. Zeller, Math. Z. 86, 1964).
+/// The Lebesgue constant of a triangle's or a tetrahedron's nodes, by the magnitudes of all
+/// Lagrange functions at Chebyshev points in each eta: with 3/2 as many as the degree, polynomials
+/// are at most twice as large between them (H. Ehlich and K. Zeller, Math. Z. 86, 1964).
 double LebesgueOf(const Space& space, const ChangeOfBasis& toModes)
 {
   const auto count = static_cast<std::size_t>(space.Modes());
@@ -183,8 +183,8 @@ const Interpolation& InterpolationOf(const Space& space)
   return *one;
 }
 
-/// In which products of the map's derivatives, and with the field, lie: derivatives of J's columns
-/// have a degree less across one direction each, in simplices in total.
+/// The space of products of the map's derivatives, and of these with the field. Derivatives of J's
+/// columns have a degree less across one direction each, in simplices in total.
 std::optional<Space> SpaceOfProducts(const Space& map, const Space& field, Mapping mapping)
 {
   Space space = map;
@@ -328,8 +328,8 @@ std::optional<QuotientModes> MakeQuotientModes(
     return std::nullopt;
   }
 
-  // Of sums of three products, each of at most three factors; what is of second order is rounded
-  // up.
+  // The errors of sums of three products, each of at most three factors. Terms of second order are
+  // covered by kBoundSlack.
   const Size J = SizeOf(map, 3, kDerivatives);
   const Size F = SizeOf(reference, given, kValue);
   const Size cofactors{ 2.0 * J.most * J.most, 4.0 * kBoundSlack * J.most * J.error };

@@ -5,8 +5,8 @@
 
 namespace pixelexact
 {
-/// What of a surface is in an element: one of its faces (FacesOf), or where a component has a
-/// value.
+/// The part of a surface in an element: one of its faces (FacesOf), or the points where a component
+/// has a value.
 struct Sheet
 {
   int face = -1; ///< -1: none
@@ -23,7 +23,7 @@ struct SheetPoint
   double off = 0.0;      ///< how far x is from the ray, at most
 };
 
-/// Where a sheet leaves its element.
+/// The point where a sheet leaves its element.
 struct SheetExit
 {
   double part = 0.0; ///< of the straight line between two points of a surface

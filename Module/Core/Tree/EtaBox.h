@@ -24,7 +24,7 @@ Box3 HullInXi(Shape shape, const EtaBox& box);
 
 /// The outward normals in xi of a box's ends: lower and upper of eta_1, of eta_2, of eta_3.
 std::array<double[3], 6> EndNormals(Shape shape, const EtaBox& box);
-/// How far a xi of the box is from the k-th of them, along its normal.
+/// The distance of a xi of the box from its k-th end, along the end's normal.
 double DepthOf(Shape shape, const EtaBox& box, int end, const Vec3& xi);
 /// The middles of the ends, then that of the box, in xi.
 std::array<Vec3, 7> MiddlesOf(Shape shape, const EtaBox& box);

@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Not fused, so that every instruction set has the same bits.
+/// The product is not fused, so that every instruction set has the same bits.
 HWY_INLINE Lanes Dot(const double* a, const Point<Lanes>& x)
 {
   return Splat(a[0]) * x.x[0] + Splat(a[1]) * x.x[1] + Splat(a[2]) * x.x[2];

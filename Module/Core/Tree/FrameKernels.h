@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-// The sums over a box's coefficients that a frame (NodeFrame.h) is made of, dispatched at run time
-// to the instruction set; the same bits on each.
+// The sums over a box's coefficients that determine a frame (NodeFrame.h), dispatched at run time
+// to the instruction set; the bits do not depend on it.
 namespace pixelexact
 {
 /// Three functions over a box and the frame that they are to be compared with. All arrays hold
@@ -44,8 +44,8 @@ struct FrameKernels
     const double from[3], const double step[3], std::size_t count, double* const to[3]);
   /// The most of normal . (phi - shift) for six normals in y. All is finite.
   void (*outermost)(const FrameTask& task, const double (*normal)[3], double outer[6]);
-  /// Of the differences of neighbours along a direction: `count` coefficients, `stride` apart. Of
-  /// what lies behind the row, eight numbers are read.
+  /// The extremes of the differences of neighbours along a direction: `count` coefficients,
+  /// `stride` apart. Reads eight numbers beyond the row.
   FrameSteps (*steps)(const double* row, std::size_t size, std::size_t count, std::size_t stride);
 };
 

@@ -54,8 +54,8 @@ bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes)
     return false;
   }
   const double growth = GrowthInReach(degree);
-  // Of the products, not of M times the hulls: whether a box is regular must not depend on how the
-  // element is stretched.
+  // Takes hulls of the products, not products with the hulls: whether a box is regular must not
+  // depend on how the element is stretched.
   BoxCoefficients row;
   for (std::size_t i = 0; i < 3; ++i)
   {
