@@ -12,9 +12,9 @@
 
 class vtkUnstructuredGrid;
 
-// Coefficients as cell arrays, so that they go where VTK takes the cells: through filters that
-// append, extract, redistribute and exchange cells, to other processes, into files of pieces. What
-// a cell needs to be an element is in its own tuples; no array knows how many cells there are.
+// Stores coefficients as cell arrays, so that they go where VTK takes the cells: through filters
+// that append, extract, redistribute and exchange cells, to other processes, into files of pieces.
+// A cell's own tuples contain all data of its element; no array depends on the number of cells.
 //
 // CellData, all names beginning with PixelExact.Packed., for the mesh `Mesh.` and for each field
 // `Field.<name>.`:
@@ -29,8 +29,8 @@ class vtkUnstructuredGrid;
 //   Place         double x 5    centre, size, uncertainty
 //   Boundary      int32 x 2k    k attributed faces: face and attribute, -1 where there are fewer
 //
-// A check is the hash of all that an unpacked element is made of. Where a filter averaged, rounded,
-// filled or blanked tuples, it differs.
+// A check is the hash of all data of an unpacked element. It differs where a filter averaged,
+// rounded, filled or blanked tuples.
 namespace pixelexact
 {
 inline constexpr const char* kPackedPrefix = "PixelExact.Packed.";
@@ -39,13 +39,15 @@ inline constexpr const char* kPackedPrefix = "PixelExact.Packed.";
 /// these are alike.
 using PackedWidths = std::map<std::string, int>;
 
-/// Whether the grid carries packed coefficients of a mesh; says nothing of whether they are whole.
+/// Whether the grid carries packed coefficients of a mesh. Does not check whether they are
+/// complete.
 PIXELEXACTDATAMODEL_EXPORT bool IsPacked(vtkUnstructuredGrid* grid);
 
 /// Names of the packed fields, in the order that they had in the grid that was packed.
 PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> PackedFieldNames(vtkUnstructuredGrid* grid);
 
-/// Whether any packed cell or field is a solver's own, not made from nodal values.
+/// Whether any packed cell or field has a solver's own coefficients, not coefficients from nodal
+/// values.
 PIXELEXACTDATAMODEL_EXPORT bool PacksSolverCoefficients(vtkUnstructuredGrid* grid);
 
 /// The widths that packing the grid needs. Throws as HighOrderModel::From.

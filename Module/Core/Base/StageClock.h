@@ -46,7 +46,7 @@ private:
   friend class StageScope;
   using Clock = std::chrono::steady_clock;
 
-  /// Charges the running stage and goes on in `stage`; returns the one before.
+  /// Charges the running stage and continues in `stage`. Returns the previous stage.
   Stage Enter(Stage stage)
   {
     const auto now = Clock::now();
@@ -64,7 +64,7 @@ private:
   Stage Running = Stage::Writing;
 };
 
-/// Charges its lifetime to a stage, but for that of scopes within.
+/// Charges its lifetime to a stage, without that of scopes within.
 class StageScope
 {
 public:

@@ -186,7 +186,7 @@ void ChangeOfBasis::Apply(std::span<const double> values, std::span<const double
     }
     if (!finite)
     {
-      // Sums near the largest double, of which long double has the exponents.
+      // Sums near the largest double use long double, which has larger exponents.
       ApplyInLongDouble(values.subspan(c * sources, sources), shifts[c], out);
     }
   }

@@ -102,8 +102,8 @@ HWY_INLINE void FillScaled(const RecurrenceStep<typename NumberTraits<T>::Scalar
     });
 }
 
-// Sums over the functions of a family, of which the first is 1 and its derivative 0: where the
-// index is known to the compiler, the first term costs nothing.
+// Sums over the functions of a family. The first function is 1 and its derivative 0, so the first
+// term costs nothing where the compiler knows the index.
 
 /// sum + u table[i]; the sum of no terms is 0.
 template <class T, class Index>

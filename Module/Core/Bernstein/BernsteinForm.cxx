@@ -182,7 +182,7 @@ double BernsteinForm::QuickErrorBound(const double* modes) const
     sum += std::fabs(*modes++) * largest;
   }
   const int operations = degree_[0] + degree_[1] + degree_[2] + 9;
-  // The sum's rounding, and that of the products of three magnitudes.
+  // Covers the rounding of the sum and of the products of three magnitudes.
   return sum * Gamma(operations) * (1.0 + Gamma(static_cast<int>(Largest.size()) + 64));
 }
 

@@ -31,8 +31,8 @@ using SmallMatrix = std::array<std::array<double, 3>, 3>;
 /// The inverse by elimination; nothing where it is not finite.
 std::optional<SmallMatrix> Inverse(int size, SmallMatrix matrix);
 
-/// What Krawczyk's operator says, for as many polynomials as variables, of the cube U = [-reach, 1
-/// + reach]^n:
+/// The image of Krawczyk's operator, for as many polynomials as variables, over the cube
+/// U = [-reach, 1 + reach]^n:
 ///   K(U) = m - C f(m) + (I - C f'(U)) (U - m),
 /// m the root that Newton's iteration finds in U or else the centre, C near f'(m)^-1. Every root in
 /// U lies in K(U), and where K(U) lies inside U there is exactly one (R. Krawczyk, Newton-

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What is known of an element's map before any point is looked for, all certified by Bernstein
+/// Bounds of an element's map that are independent of points, all certified by Bernstein
 /// hulls with their rounding errors.
 ///
 /// In the element's units y = (x - centre) / size, the frame is the affine map with the inverse
@@ -36,7 +36,8 @@ struct ElementBounds
   bool affine = false; ///< the deviation is of rounding size
 };
 
-/// The box alone, certified too, with the rounding of its coefficients bounded in less time.
+/// Computes the box alone, also certified, with a bound of its coefficients' rounding that takes
+/// less time.
 Box3 MakeElementBox(const Mesh& mesh, int element);
 
 /// Bounds the distance between an evaluated image of the element and the true one, per coordinate,

@@ -192,7 +192,7 @@ CurveTracer::End CurveTracer::Follow(
       ContourSeed& seed = seeds[passed->seed];
       seed.used = true;
       points.push_back(seed.point);
-      // One in a corner or on an edge may be passed on the way along the boundary.
+      // A seed in a corner or on an edge may be passed along the boundary.
       if (seed.onBoundary && Inward(seed) != sense)
       {
         return End::Crossing;

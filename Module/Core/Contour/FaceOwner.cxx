@@ -15,7 +15,7 @@ namespace pixelexact
 namespace
 {
 constexpr double kHolderOnFace = 1e-6;
-/// Faces of which one is larger differ by more.
+/// One of two faces is smaller if its area is below this fraction of that of the other.
 constexpr double kSmaller = 0.75;
 
 class Holders final : public PreimageSink

@@ -9,7 +9,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Allocates some memory where `size` is 0, too.
+/// Allocates at least one number, also where `size` is 0.
 std::size_t BytesOf(std::size_t size)
 {
   return std::max<std::size_t>(size, 1) * sizeof(double);

@@ -33,7 +33,8 @@ private:
   template <class T>
   [[nodiscard]] std::vector<T> Combine(std::span<const T> p) const;
   [[nodiscard]] Interval Value(const std::vector<Interval>& polynomials) const;
-  /// Whether the field, of which every quantity but det J is a linear map or its norm, is zero.
+  /// Whether the field is zero. Every quantity except det J is a linear map of the field, or the
+  /// norm of one.
   [[nodiscard]] bool IsOfZeroField(std::span<const BoxPolynomial> polynomials) const;
   [[nodiscard]] bool IsPlain() const;
   [[nodiscard]] bool NeedsMap() const;

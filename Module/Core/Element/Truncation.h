@@ -41,10 +41,10 @@ private:
   OwnedExpansion High;
 };
 
-/// A bound of how far values of the field move, anywhere in the mesh: of a component, from 0, or
-/// with component < 0 the Euclidean norm of the change of all components, which bounds the change
-/// of the field's norm, too. Proven, of what the coefficients define; infinite where none was found
-/// (RangeOf). An element with a coefficient that is not finite is left out.
+/// Bounds the change of the field's values, anywhere in the mesh: of a component, from 0, or with
+/// component < 0 the Euclidean norm of the change of all components, which also bounds the change
+/// of the field's norm. The bound is proven for the stored coefficients; infinite where none was
+/// found (RangeOf). An element with a coefficient that is not finite is left out.
 [[nodiscard]] double LargestChange(const Mesh& mesh, const Truncation& truncation, int component,
   const RangeProgress& progress = {});
 } // namespace pixelexact

@@ -54,7 +54,7 @@ private:
   std::vector<double*> Arrays;
 };
 
-/// The points that one element holds, of those of which `behind` was found.
+/// The points whose neighbour is one element.
 struct PointsOfNeighbour
 {
   int element = -1;

@@ -181,7 +181,7 @@ int Graph::OfFunction(const Node& node, int self)
   }
 }
 
-/// v' A' v, v the unit eigenvector; of a multiple eigenvalue, that of one of its vectors.
+/// v' A' v, v the unit eigenvector. For a multiple eigenvalue, v is one of its eigenvectors.
 int Graph::OfEigenvalue(const Node& node, int d)
 {
   std::array<int, 3> v{};

@@ -232,7 +232,7 @@ Tensor TensorAlgebra::Gradient(const Tensor& a)
   {
     throw InvalidData("grad takes scalars and vectors, not " + NameOf(a));
   }
-  // The matrix is square for fields of the plane, too.
+  // The matrix is square, also for fields of the plane.
   const Tensor of = a.rows == kDimensions - 1 ? Widened(a, kDimensions) : a;
   Tensor gradient{ .rank = a.rank + 1,
     .rows = a.rank == 0 ? kDimensions : of.rows,

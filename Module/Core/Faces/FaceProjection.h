@@ -20,10 +20,10 @@ public:
   {
   }
 
-  /// Which of the points lie on the face, up to a distance per coordinate, with the element on the
-  /// other side than that of their normals, which point out of theirs. Gauss-Newton's iteration
-  /// from the nearest point of the closed grid: it may miss a point of a face that winds more than
-  /// its order explains, and finds none that is not there.
+  /// Finds the points that lie on the face, up to a distance per coordinate, with the element on
+  /// the side opposite to their elements; the points' normals point out of their elements.
+  /// Gauss-Newton's iteration from the nearest point of the closed grid: it may miss a point of a
+  /// face that winds more than its order explains, and finds none that does not exist.
   void Find(int element, int face, std::span<const FaceSample> points, const Vec3& tolerance,
     std::vector<char>& found);
 

@@ -38,7 +38,7 @@ std::optional<Segment> ClipRay(
   {
     return std::nullopt;
   }
-  // Seen from afar, the origin's and the product's rounding is that of the distance.
+  // For a distant origin, the rounding of origin and product is that of the distance.
   const Vec3 far = glm::abs(origin) + t.Magnitude() * glm::abs(direction);
   const double slack = 4.0 * kUnitRoundoff * std::max({ far.x, far.y, far.z });
   return Segment{ origin + t.lower * direction, origin + t.upper * direction, slack };

@@ -17,9 +17,9 @@ public:
   /// as RequireAnswer. The arrays are not needed afterwards.
   explicit ValueIndex(const Mesh& mesh, const RangeQuestion& question, int boxes = kFewBoxes);
 
-  /// The elements whose range meets these values, in ascending order. An element that takes one of
-  /// them is never left out; one of which nothing can be said (a coefficient is not finite) never
-  /// either. None for a NaN.
+  /// Finds the elements whose range meets these values, in ascending order. An element that takes
+  /// one of them is never left out, nor is an element without a known range (a coefficient is not
+  /// finite). None for a NaN.
   void Find(const Interval& values, std::vector<int>& elements) const;
 
   [[nodiscard]] const Interval& RangeOf(int element) const

@@ -17,10 +17,10 @@ inline double Up(double bound)
 
 /// A function of (s, t) in [-1,1]^2, known up to `error` everywhere in the square:
 ///   f(s, t) = sum of c_ij T_i(s) T_j(t), i + j <= kDegree, +- error
-/// T_i: Chebyshev's polynomials. What an operation cannot keep, terms of higher degree and
-/// roundings, goes to the error: what is concluded is proven (Chebyshev models: N. Brisebarre,
-/// M. Joldes, Chebyshev interpolation polynomial-based tools for rigorous computing, ISSAC 2010;
-/// here of two variables and total degree). Where nothing is known the error is infinite.
+/// with Chebyshev polynomials T_i. Each operation adds the terms of higher degree that it drops,
+/// and its roundings, to the error, so that results are proven (Chebyshev models: N. Brisebarre, M.
+/// Joldes, Chebyshev interpolation polynomial-based tools for rigorous computing, ISSAC 2010; here
+/// of two variables and total degree). The error is infinite where no bound is known.
 class ChebyshevModel
 {
 public:

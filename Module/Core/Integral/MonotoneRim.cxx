@@ -77,8 +77,8 @@ std::optional<MonotoneRim> MonotoneRim::Of(const ChebyshevModel& function)
   rim.Function = function;
   rim.Slope = function.Polynomial().ByT();
   const Interval range = rim.Slope.TightRange();
-  // A little beyond the square the slope changes by its own slope at most, of which Chebyshev's
-  // polynomials have less than 1.1 times j^2.
+  // Within kBeyondSquare of the square the slope changes by at most its derivative times that
+  // distance. Derivatives of Chebyshev polynomials are below 1.1 j^2 there.
   double bend = 0.0;
   for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
   {

@@ -43,7 +43,7 @@ int FindAllOthers(const double* status, int count, int* others)
 int KeepAllInside(const InverseResult& result, int count, int* numbers)
 {
   const int lanes = LaneCount();
-  // Local copies, which the compiler knows no store can change.
+  // Local copies, so that the compiler need not assume that a store changes them.
   const double* const status = result.status;
   const std::array<double*, 4> arrays{ result.xi[0], result.xi[1], result.xi[2], result.residual };
   const std::uint64_t whole = ~std::uint64_t{ 0 } >> static_cast<unsigned>(64 - lanes);

@@ -59,7 +59,7 @@ Bits RunNewton(const InverseProblem& problem, RootChecker& checker, const NodeFr
   for (std::size_t k = 0; k < count; ++k)
   {
     const Vec3 root(result.xi[0][k], result.xi[1][k], result.xi[2][k]);
-    // Beyond a pyramid's apex is another cone, whose roots say nothing of this one's.
+    // Beyond a pyramid's apex lies another cone, whose roots do not belong to this one.
     if (result.status[k] != static_cast<double>(NewtonStatus::NotConverged) &&
       (isInside(k) || problem.space.shape != Shape::Pyramid || root.z <= 1.0))
     {

@@ -11,7 +11,7 @@ namespace pixelexact
 enum class Coverage : std::uint8_t
 {
   None = 0, ///< no element holds the point, by proof: outside, or a gap
-  /// One preimage, or several of which at most one is not on a face: what a sound mesh has.
+  /// One preimage, or several of which at most one is not on a face, as in a valid mesh.
   Once = 1,
   /// Two or more that are on no face: an overlap, or a fold within an element. Within the faces'
   /// tolerance of an overlap's own boundary, the answer is Once.

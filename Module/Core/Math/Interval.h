@@ -32,8 +32,8 @@ inline double Above(double v)
 } // namespace rounding
 
 /// All real numbers from `lower` to `upper`, both may be infinite. Every operation encloses the
-/// exact results of all its operands' members. An operation whose result is not bounded gives
-/// everything; a NaN operand gives everything too. Assumes rounding to nearest, the default.
+/// exact results of all its operands' members. An operation whose result is not bounded, or with a
+/// NaN operand, gives -inf to inf. Assumes rounding to nearest, the default.
 struct Interval
 {
   double lower = 0.0;

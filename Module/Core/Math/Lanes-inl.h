@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The number type `Lanes` holds as many doubles as the instruction set allows, with the operations
-// that the kernels' templates use. Only these files depend on Highway. Included once per
-// instruction set, hence the toggling guard (Highway's convention).
+// that the kernels' templates use. Other code reaches Highway's vectors through it.
+// Included once per instruction set, hence the toggling guard (Highway's convention).
 #if defined(PIXELEXACT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_LANES_INL_H
 #undef PIXELEXACT_LANES_INL_H
