@@ -18,11 +18,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Of what may be spent, so much is left when blocks have been asked, and then whole edges.
+/// Parts of the work budget that are reserved for the steps after blocks, and after whole edges.
 constexpr double kLeftByBlocks = 0.5;
 constexpr double kLeftByEdges = 0.25;
 
-/// Whose boxes meet a part of a surface; all where it is not known.
+/// The elements whose boxes meet the box of an outline; all elements if there is no outline.
 std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Outline>& part)
 {
   Box3 box = index.Bounds();
@@ -61,7 +61,7 @@ private:
   Vec3 Upper{ -std::numeric_limits<double>::infinity() };
 };
 
-/// Of its corners.
+/// The longest side of the box of an outline's corners.
 double WidthOf(const Outline& part)
 {
   WidestBox box;
@@ -72,7 +72,7 @@ double WidthOf(const Outline& part)
   return box.Width();
 }
 
-/// Of what the corners show of a layer.
+/// The longest side of the box of the points where corners show the layer.
 double WidthOf(const LayerSight& sight, const TileCorners& corners)
 {
   WidestBox box;
@@ -143,7 +143,7 @@ std::vector<std::uint8_t> ContourTile::ShownAround(
   {
     shown[(i / Across + 1) * wide + i % Across + 1] = sight.Shows(corners[i]) ? 1 : 0;
   }
-  // Beyond the tile only those beside its outermost edges of which no end shows the layer.
+  // Corners outside the tile are needed only beside outermost edges with no end on the layer.
   std::vector<std::uint8_t> wanted(shown.size(), 0);
   const auto lookBeside = [&](std::size_t a, std::size_t along, std::ptrdiff_t beside)
   {
@@ -360,7 +360,7 @@ void ContourTile::ClassifyEdges(LayerSight& sight, const EdgeClassifier& classif
   const std::vector<std::uint8_t> shown =
     sight.GetSurface().IsPlane() ? std::vector<std::uint8_t>() : ShownAround(sight, corners);
   const std::size_t wide = Across + 2;
-  // Of the corners of the two pixels at an edge.
+  // A corner of one of the edge's two pixels shows the layer.
   const auto peeks = [&](std::size_t a, std::size_t b)
   {
     const std::size_t at = (a / Across + 1) * wide + a % Across + 1;

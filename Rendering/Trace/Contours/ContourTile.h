@@ -12,7 +12,7 @@
 
 namespace pixelexact
 {
-/// What certifies the contours of a layer: its iso-values and what is known of its field.
+/// A layer with contours: its iso-values and the bounds of its field.
 struct ContouredLayer
 {
   int number = 0;
@@ -20,7 +20,7 @@ struct ContouredLayer
   const LayerBounds* bounds = nullptr;
 };
 
-/// Those of a tile's corners that are asked for; the others see nothing.
+/// The ends of edges at a tile's corners. A corner without an entry shows no layer.
 class TileCorners
 {
 public:
@@ -43,52 +43,55 @@ private:
   std::vector<EdgeEnd> Ends;
 };
 
-/// The verdicts of one tile's pixels; see Documentation/contours-proof.md.
+/// Classifies one tile's pixels; see Documentation/contours-proof.md.
 class ContourTile
 {
 public:
   ContourTile(TileVisit& tile, const ContourMethod& method);
-  /// Of one that is visited again: as its pixels were found then, of which those that are Undecided
-  /// are judged anew. Its centres are traced where they are not at hand.
+  /// Second pass over a tile with the verdicts `before`, row by row: keeps decided pixels and
+  /// re-classifies the Undecided ones. Traces the tile's centres if the frame does not hold them.
   ContourTile(TileVisit& tile, const ContourMethod& method, std::vector<ContourVerdict> before);
 
-  /// Adds the findings of a layer's values to those of the tile's pixels.
+  /// Joins the verdicts for one layer's iso-values with the tile's verdicts.
   void Classify(const ContouredLayer& layer, EdgeWork& work);
   /// A ContourVerdict for each pixel of the tile, row by row.
   [[nodiscard]] std::span<const ContourVerdict> Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  /// 1: of a judged pixel whose corners all lie on a plateau of one layer
-  /// (EdgeClassifier::IsOnPlateau).
+  /// 1 for a classified pixel whose corners all lie on a plateau of one layer
+  /// (EdgeClassifier::IsOnPlateau), row by row.
   [[nodiscard]] std::span<const std::uint8_t> Plateaus() const { return OnPlateau; }
 
 private:
-  /// The centres of its pixels, as `Tile` has them; of one that is visited again, or traced.
+  /// The samples at the tile's pixel centres: those of the frame, or, in a second pass, traced
+  /// ones.
   [[nodiscard]] std::optional<LatticePart> Centres();
-  /// Of the corners of open pixels, row by row.
+  /// Traces the corners of open pixels.
   [[nodiscard]] TileCorners EndsOf(const LayerSight& sight, std::span<const std::uint8_t> open);
-  /// Which corners show the layer, (Across + 2) x (Up + 2): of those around the tile, none of them
-  /// beyond the frame, the ones beside edges whose ends do not.
+  /// 1 for each corner that shows the layer, in a lattice of (Across + 2) x (Up + 2) that includes
+  /// one ring around the tile. Of the ring, only corners inside the frame and beside edges with no
+  /// end on the layer are traced.
   [[nodiscard]] std::vector<std::uint8_t> ShownAround(
     const LayerSight& sight, const TileCorners& corners);
-  /// visit(edge, a, b) of corners, for the edges of open pixels, in the order of `edges` in
-  /// ClassifyEdges; endRow() where rows and columns of them end.
+  /// Calls visit(edge, a, b) with the corner numbers of each edge of an open pixel, in the order of
+  /// `edges` in ClassifyEdges, and endRow() where a row or column of them ends.
   template <class Visit, class EndRow>
   void ForEachEdge(
     std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const;
-  /// Of those that show the layer.
+  /// Makes the pixels at edges with an end on the layer Undecided.
   void LeaveOpen(int layer);
-  /// The value of the layer's field on all of its surface, where there is one.
+  /// The value of the layer's field if it is the same on all of the layer's surface.
   [[nodiscard]] std::optional<double> HeldBy(
     const Surface& surface, const ContouredLayer& layer) const;
   void ClassifyEdges(LayerSight& sight, const EdgeClassifier& classifier,
     std::span<const std::uint8_t> open, EdgeWork& work);
-  /// Of pixels by those of their edges: across, row by row, then up, column by column.
+  /// Joins the verdicts of each pixel's four edges. Horizontal edges come first, row by row, then
+  /// vertical ones, column by column.
   [[nodiscard]] std::vector<ContourVerdict> StatesOf(
     std::span<const ContourVerdict> edges, std::span<const std::uint8_t> open) const;
-  /// By what those that were open are settled.
+  /// Counts the pixels that whole edges decided and those that subdivided edges decided.
   void CountStages(std::span<const ContourVerdict> unsplit, std::span<const ContourVerdict> states,
     std::span<const std::uint8_t> open);
-  /// Looks inside of those that are out.
+  /// Classifies the inside of pixels that are Out by their edges.
   void ClassifyInteriors(LayerSight& sight, const EdgeClassifier& classifier,
     const TileCorners& corners, std::span<const std::uint8_t> open,
     std::span<ContourVerdict> states);
@@ -103,9 +106,9 @@ private:
   std::size_t Across; ///< corners in a row
   std::size_t Up;     ///< corners in a column
   std::vector<ContourVerdict> Pixels;
-  std::vector<std::uint8_t> Asked; ///< 1: of a pixel that is judged
+  std::vector<std::uint8_t> Asked; ///< 1: the pixel is to be classified
   std::vector<std::uint8_t> OnPlateau;
   ContourCounters Counted;
-  SampleBuffers Traced; ///< centres that were not at hand
+  SampleBuffers Traced; ///< centres that the frame does not hold
 };
 } // namespace pixelexact

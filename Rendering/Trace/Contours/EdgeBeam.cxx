@@ -18,17 +18,17 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a beam: parts that are looked at, how often they are halved before and at most, and about
-/// what it costs beside halving nodes, in nanoseconds.
+/// Limits for a beam: parts that are tested, subdivisions before a part is tested, and subdivisions
+/// at most. kBeamCost estimates the cost in nanoseconds, without subdivision of nodes.
 constexpr int kBeamParts = 512;
 constexpr int kLongParts = 3;
 constexpr int kBeamSubdivisions = 20;
 constexpr std::int64_t kBeamCost = 200000;
-/// Elements beyond which parts are halved at once, unless they have been halved so often: nobody
-/// sees most of these.
+/// A part that meets more elements is subdivided without a test, up to kShortParts subdivisions:
+/// most of these elements are hidden.
 constexpr std::ptrdiff_t kBeamElements = 12;
 constexpr int kShortParts = 8;
-/// Of nodes, in these parts.
+/// Limits for the nodes that a part meets.
 constexpr EdgeEffort kEffort{ 12, 0 };
 } // namespace
 
@@ -38,7 +38,7 @@ EdgeBeam::EdgeBeam(const Ray& a, const Ray& b, const Box3& box)
   , Near(std::numeric_limits<double>::infinity())
   , Far(-Near)
 {
-  // Depths are ways along both rays from one depth on, `along` times which are ways along a + b.
+  // A depth is a distance along both rays. `along` times it is the distance along a + b.
   const Vec3 sum = a.direction + b.direction;
   const double length = glm::length(sum);
   const Vec3 direction = sum / length;
@@ -55,7 +55,7 @@ EdgeBeam::EdgeBeam(const Ray& a, const Ray& b, const Box3& box)
   }
   Rounding = 32.0 * kUnitRoundoff *
     (glm::length(A.origin) + glm::length(B.origin) + std::max(std::fabs(Near), std::fabs(Far)));
-  // Nothing is seen behind where rays start.
+  // Rays see nothing before their origins.
   Near = std::max(Near - Rounding, std::min(0.0, -ahead));
   Far += Rounding;
 }
@@ -84,7 +84,7 @@ bool EdgeClassifier::StaysBetween(const Surface& surface, const EdgeBeam& beam) 
     return (subdivisions >= kShortParts || std::ssize(elements) <= kBeamElements) &&
       StaysOn(kNoSide, elements, region, With(kEffort));
   };
-  // Nearest first.
+  // The nearest part is on top.
   std::vector<Stretch> open{ { beam.Nearest(), beam.Farthest(), 0 } };
   for (int left = kBeamParts; !open.empty() && left > 0; --left)
   {

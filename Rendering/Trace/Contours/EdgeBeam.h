@@ -6,18 +6,19 @@
 
 namespace pixelexact
 {
-/// All that rays between two of an image may meet in a box: a flat strip, in parts by depth.
+/// The flat strip between two rays of an image, clipped to a box and divided into parts by depth.
 class EdgeBeam
 {
 public:
   EdgeBeam(const Ray& a, const Ray& b, const Box3& box);
 
-  // Along the rays: what is beyond is outside of the box. `Nearest` is greater where all is.
+  // Range of depths, distances along the rays, that covers the box. `Nearest` exceeds `Farthest` if
+  // the strip does not meet the box.
   [[nodiscard]] double Nearest() const { return Near; }
   [[nodiscard]] double Farthest() const { return Far; }
-  /// Holds all of the strip from one depth to the next.
+  /// Contains all of the strip between two depths.
   [[nodiscard]] Outline Part(double from, double to) const;
-  /// How far its corners may be off, by the rounding of rays.
+  /// Largest error of a part's corners, from the rounding of rays, in world units.
   [[nodiscard]] double Slack() const { return Rounding; }
 
 private:

@@ -16,13 +16,13 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the largest magnitude of an element's values: it is not asked whether the component holds a
-/// value there from which an end's is farther off. That saves time alone.
+/// Ends whose value is farther from all iso-values are not tested for plateaus, which only saves
+/// time. Relative to the largest magnitude of the element's values.
 constexpr double kNearPlateau = 1e-9;
-/// Of a point that stays unknown (element-tree.md), in nanoseconds.
+/// Cost of a point that stays unknown (element-tree.md), in nanoseconds.
 constexpr std::int64_t kCostOfUnknown = 6'000'000;
-/// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
-/// of a pixel and less.
+/// Limits for parts of a surface that are many pixels wide, for edges and parts of edges, and for
+/// squares up to a pixel wide.
 constexpr EdgeEffort kForBlocks{ 4, 0 };
 constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
 constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
@@ -58,7 +58,7 @@ EdgeClassifier::EdgeClassifier(const LayerBounds& bounds, std::span<const double
 {
   for (const int element : elements)
   {
-    // What is not finite has no values.
+    // Elements without finite values take no iso-value.
     if (bounds.Of(element).HasValues())
     {
       Near.push_back(MakeElement(element));
@@ -151,7 +151,7 @@ EdgeFinding EdgeClassifier::Within(
   if (Wanted.Meets(lower - range->error, lower + range->error) &&
     Wanted.Meets(upper - range->error, upper + range->error))
   {
-    // Values of its parts are told no better, and differ as little: not even at one point.
+    // If the bound at a single point is nearly as wide, no subdivision narrows it.
     const auto atPoint = bounds.Along(a.point, a.point, edge.sagitta, Work);
     if (atPoint && range->deviation <= 2.0 * atPoint->deviation)
     {
@@ -202,7 +202,7 @@ EdgeFinding EdgeClassifier::Across(const EdgeEnd& a, const EdgeEnd& b) const
   const EdgeBounds& ofA = Bounds.Of(a.element);
   const EdgeBounds& ofB = Bounds.Of(b.element);
   const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
-  // Where the true points may be, the values are no farther off than that.
+  // The errors bound how far the values at the exact points may differ.
   const double error =
     std::max(ofA.ChangeWithin(a.point, 0.0, Work), ofB.ChangeWithin(b.point, 0.0, Work));
   return IsBetween(lower, upper, error) ? EdgeFinding::In : EdgeFinding::Open;
@@ -260,7 +260,7 @@ bool EdgeClassifier::StaysOn(int side, std::span<const Element> elements, const 
       [&](const Element& element)
       { return element.side == side || !element.bounds->MayTake(others, region, effort); });
   }
-  // It is the side of one that the region meets, if it meets any.
+  // The side is that of any element that the region meets.
   std::vector<int> tried;
   for (const Element& element : elements)
   {
@@ -297,7 +297,7 @@ bool EdgeClassifier::BlockStaysOn(int side, const Outline& part, bool thorough) 
 bool EdgeClassifier::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 {
   const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
-  // What is not finite has no values.
+  // Values that are not finite take no iso-value.
   return std::isfinite(lower) && std::isfinite(upper) && Wanted.Meets(lower, upper);
 }
 

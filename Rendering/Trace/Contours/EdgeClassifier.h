@@ -14,18 +14,18 @@
 
 namespace pixelexact
 {
-/// What a ray through the end of an edge sees.
+/// The sample of a ray through the end of an edge.
 struct EdgeEnd
 {
   ImagePosition position{};
-  int layer = -1;          ///< that is seen, in the mesh and decided; -1: none is
-  int element = -1;        ///< where the layer that is judged is seen
-  LocatedPoint point;      ///< there; of planes `x` is known beside the mesh and behind others, too
+  int layer = -1;          ///< that the ray shows, decided and in the mesh; -1: none
+  int element = -1;        ///< where the ray shows the classified layer
+  LocatedPoint point;      ///< there; planes have `x` also outside the mesh and where hidden
   bool meets = false;      ///< whether `x` is known
   bool isAhead = false;    ///< and not behind the eye
-  bool isUnknown = false;  ///< it is not decided what is seen there
-  std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
-  int face = -1;           ///< of the element, that the surface is there; -1: none
+  bool isUnknown = false;  ///< it is undecided what the ray shows
+  std::int32_t piece = -1; ///< of the surface, and `parameters` on it: the hit's
+  int face = -1;           ///< of the element, if the surface is this face; -1: none
   double parameters[2] = { 0.0, 0.0 };
 
   [[nodiscard]] SurfacePoint OnSurface() const
@@ -34,48 +34,48 @@ struct EdgeEnd
   }
 };
 
-/// An edge of a pixel or a part of it, as far as it is on one layer's surface.
+/// The part of a layer's surface that a pixel's edge, or a part of the edge, shows.
 struct SurfaceEdge
 {
   Vec3 from{ 0.0 };
   Vec3 to{ 0.0 };
-  double sagitta = 0.0; ///< how far off the straight edge the surface's is; infinite: not known
+  double sagitta = 0.0; ///< largest distance from the straight edge; infinite: unknown
 };
 
 enum class EdgeFinding : std::uint8_t
 {
-  Out,      ///< proven: no value occurs on it
-  In,       ///< proven: one does
-  Open,     ///< not settled by the bounds
-  Blurred,  ///< nor by any of its parts: all values on it are one up to their rounding
-  Uncovered ///< nor proven that the edge lies in the element
+  Out,      ///< proven: no iso-value occurs on the edge
+  In,       ///< proven: one occurs
+  Open,     ///< undecided by the bounds; parts may decide
+  Blurred,  ///< undecided also on parts: all values agree up to rounding
+  Uncovered ///< undecided, and not proven to lie in the element
 };
 
-/// How far points where rays meet a surface may be off, by rounding: in every coordinate, a part of
-/// the largest.
+/// Largest error, in each coordinate, of points where rays meet a surface: a multiple of the
+/// largest coordinate.
 [[nodiscard]] double SlackOf(std::span<const Vec3> corners);
 
-/// Classifies edges on a layer's surface: of one tile, by one thread.
+/// Classifies edges on one layer's surface in one tile. An object serves one thread.
 class EdgeClassifier
 {
 public:
-  /// `values`: in ascending order; `elements`: all whose boxes meet the tile's part of the surface.
-  /// `work`: for all that is asked; null: without a limit.
+  /// `values`: in ascending order. `elements`: all elements whose boxes meet the tile's part of the
+  /// surface. `work`: budget of all calls; null: unlimited.
   EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
     std::span<const int> elements);
-  /// The same where nobody knows the elements: each edge's are looked for.
+  /// Searches the elements near each edge.
   EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work);
 
-  /// Between which values a value is: the number of those below it.
+  /// The interval between iso-values that contains a value: the number of iso-values below it.
   [[nodiscard]] int SideOf(double value) const;
-  /// Of an edge that is on no known side.
+  /// The side of an edge on which no value is known.
   static constexpr int kNoSide = -1;
 
-  /// What a sample costs between two ends, for EdgeWork.
+  /// Cost of a sample between two ends, in EdgeWork's units.
   [[nodiscard]] std::int64_t SampleCost(const EdgeEnd& a, const EdgeEnd& b) const;
-  /// After a sample of which it is not decided what it shows: that cost all that a point may.
+  /// Pays for a sample that stays Unknown: the most that the location of a point may cost.
   void SpendOnUnknown() const;
-  /// See EdgeWork.
+  /// Reserves a part of the work budget; see EdgeWork.
   void Reserve(double part) const
   {
     if (Work)
@@ -83,48 +83,49 @@ public:
       Work->Reserve(part);
     }
   }
-  /// Whether so much may be spent yet; it is, then.
+  /// Takes `cost` from the work budget. Returns false if the budget is exhausted.
   [[nodiscard]] bool Affords(std::int64_t cost) const { return !Work || Work->Affords(cost); }
 
-  /// Whether some element may take a value, or elements lie on several sides.
+  /// An element may take an iso-value, or elements lie on several sides.
   [[nodiscard]] bool IsNeeded() const { return Needed; }
 
-  /// An edge between points of the same element, by the bounds of that element alone.
+  /// Classifies an edge between two points of one element by that element's bounds.
   [[nodiscard]] EdgeFinding Within(
     const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
-  /// Whether all elements that the edge may meet stay on a side there; of kNoSide, on any one.
-  /// `thorough`: more is found out about the elements where that helps.
+  /// All elements that the edge may meet stay on `side` there; kNoSide: on any one side.
+  /// `thorough`: elements are subdivided where that helps.
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
-  /// The same of a flat polygon and how far off it the surface is.
+  /// The same for a flat polygon; the surface is within `sagitta` of it.
   [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
-  /// The values on a flat part of the surface next to three ends in one element, by the bounds of
-  /// that element alone; nothing where it is not proven that the part lies in it.
+  /// The values on a flat part of the surface near three ends in one element, by that element's
+  /// bounds; none if the part is not proven to lie in the element.
   [[nodiscard]] std::optional<PlanarValues> Over(
     const std::array<EdgeEnd, 3>& ends, const Outline& part) const;
-  /// Whether an interval holds a value.
+  /// An iso-value lies in [lower, upper].
   [[nodiscard]] bool Meets(double lower, double upper) const { return Wanted.Meets(lower, upper); }
-  /// Whether all elements that a flat part of the surface may meet stay on a side there; of
-  /// kNoSide, on any one. `thorough`: as above.
+  /// All elements that a flat part of the surface may meet stay on `side` there; kNoSide: on any
+  /// one side. `thorough`: as above.
   [[nodiscard]] bool BlockStaysOn(int side, const Outline& part, bool thorough) const;
-  /// Whether an end lies on a plateau: all of the surface in its element has one of the values, as
-  /// far as the component's coefficients tell (Plateau.h), or all of the surface has
-  /// (HoldEverywhere).
+  /// The end lies on a plateau: all of the surface in its element, or all of the surface
+  /// (HoldEverywhere), has one of the iso-values, up to the error of the component's coefficients
+  /// (Plateau.h).
   [[nodiscard]] bool IsOnPlateau(const EdgeEnd& end) const;
-  /// Whether an end's value may be one: it is known, and no farther off than it may be itself.
+  /// An iso-value lies within the error of the end's value, and this error is finite.
   [[nodiscard]] bool MayTouch(const EdgeEnd& end) const;
-  /// What is judged has one of the values everywhere (Surface::HeldValue).
+  /// Declares that the field equals one iso-value on all of the surface (Surface::HeldValue).
   void HoldEverywhere() { IsHeld = true; }
-  /// What is judged lies in a plane.
+  /// Declares that the surface is a plane.
   void LieOn(const Plane& plane) { plane_ = &plane; }
-  /// Of ends in any elements between which the surface goes on: by their values, In or Open.
+  /// Compares the values of two ends between which the surface is continuous: In or Open. The ends
+  /// may lie in different elements.
   [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
-  /// Whether, of all of the surface that rays between two may meet, none takes a value, nor lies on
-  /// either side of one where it hangs together: by parts of the beam that it does not meet, and
-  /// others in which all elements stay on one side.
+  /// No part of the surface that rays between two others may meet takes an iso-value, and each
+  /// connected part stays on one side. The beam is subdivided into parts that the surface does not
+  /// meet, and parts where all elements stay on one side.
   [[nodiscard]] bool StaysBetween(const Surface& surface, const EdgeBeam& beam) const;
-  /// Whether a value lies between those of the ends, or is one, as far as they are known.
+  /// An iso-value lies between the ends' values, or equals one of them. Ignores their errors.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
-  /// Whether the two values are farther apart than the field varies along the edge.
+  /// The ends' values differ by more than the field can vary along the edge.
   [[nodiscard]] bool IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
 
 private:
@@ -133,22 +134,22 @@ private:
     int number;
     Box3 box;
     const EdgeBounds* bounds;
-    int side; ///< of all of its values; kNoSide: they may be on several
+    int side; ///< of all its values; kNoSide: possibly several
   };
-  /// With the work of the tile.
+  /// `effort` with the tile's work budget.
   [[nodiscard]] EdgeEffort With(EdgeEffort effort) const;
   [[nodiscard]] ValueSet NotOn(int side) const;
-  /// Whether one of the values lies between two that are good to `error`.
+  /// An iso-value lies between two values whose errors are at most `error`.
   [[nodiscard]] bool IsBetween(double lower, double upper, double error) const
   {
     return lower + error < upper - error && Wanted.Meets(lower + error, upper - error);
   }
-  /// The values that the component holds in an element, on the plane.
+  /// The values that the component has everywhere on the plane in an element; empty if it varies.
   [[nodiscard]] const Interval& HeldOnPlane(int element) const;
-  /// Whether the values of all elements there are on one side; of kNoSide, any.
+  /// The values of all these elements in the region stay on one side; kNoSide: on any one side.
   [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
     const EdgeEffort& effort) const;
-  /// Finite ones whose boxes it meets; until it is called again.
+  /// Elements with finite values whose boxes meet the region. Valid until the next call.
   [[nodiscard]] std::span<const Element> ElementsAt(const WideOutline& region) const;
   [[nodiscard]] Element MakeElement(int element) const;
 

@@ -12,11 +12,11 @@ namespace pixelexact
 {
 namespace
 {
-/// How often edges are halved of which no end shows the layer, but a corner beside them.
+/// Subdivisions of an edge with no end on the layer, but with a corner beside it on the layer.
 constexpr int kPeeks = 4;
-/// As how many samples one counts that does not tell what it shows: others near it seldom do.
+/// Samples that an Unknown sample counts as: samples near it are seldom decided.
 constexpr int kSamplesOfUnknown = 4;
-/// Sagitta over chord of the edges on curved surfaces that are held against other elements.
+/// Largest sagitta, relative to the chord, of curved edges that are tested against other elements.
 constexpr double kBulge = 1.0;
 } // namespace
 
@@ -79,7 +79,7 @@ EdgeFinding EdgeRefiner::ClassifyWithin(const Part& part) const
     // Another layer hides this one at both ends, or there is nothing of it.
     return EdgeFinding::Out;
   }
-  // An end is on the edge, whatever is between.
+  // An end lies on the edge, so it decides the edge alone.
   const auto isOnPlateau = [this](const EdgeEnd& end)
   { return Sight.Shows(end) && Classifier.IsOnPlateau(end); };
   if (isOnPlateau(a) || isOnPlateau(b))
@@ -102,7 +102,7 @@ EdgeFinding EdgeRefiner::ClassifyBeyond(const Part& part) const
 
 bool EdgeRefiner::ShowsNoValue(const Part& part) const
 {
-  // Of an edge that is undecided already it would not help.
+  // The test cannot improve an edge that is already Undecided.
   return !IsPlane && States[part.edge] == ContourVerdict::Out &&
     Classifier.StaysBetween(Sight.GetSurface(), Sight.BeamBetween(part.a, part.b));
 }
@@ -119,7 +119,7 @@ void EdgeRefiner::SettleRun(std::span<const Part> run)
   }
   if (IsPlane)
   {
-    // Together they are a straight edge.
+    // On a plane, the run is one straight edge.
     const SurfaceEdge all = Sight.EdgeBetween(run.front().a, run.back().b);
     const int side = SideOf(run.front());
     if (std::ranges::all_of(run, [&](const Part& part) { return SideOf(part) == side; }) &&
@@ -157,7 +157,7 @@ void EdgeRefiner::Settle(const Part& part, EdgeFinding finding, int level)
   }
   if (!IsPlane && !Sight.Shows(part.a) && !Sight.Shows(part.b))
   {
-    // Else whether the surface shows between two rays that do not see it is not asked.
+    // Otherwise the surface is not searched between two rays that both miss it.
     if (part.peeks && level < kPeeks)
     {
       Open.push_back(part);
@@ -165,13 +165,13 @@ void EdgeRefiner::Settle(const Part& part, EdgeFinding finding, int level)
     return;
   }
   const int deepest = finding == EdgeFinding::Open ? Method.subdivisions : Method.crossings;
-  // Of many that are open, those that show no value make room for others.
+  // With many open parts, parts that show no value are removed to make room for others.
   if (finding == EdgeFinding::Uncovered && level < deepest &&
     Parts[part.edge] >= Method.parts * 3 / 4 && ShowsNoValue(part))
   {
     return;
   }
-  // Where much has been tried an edge is in by what goes on between two sides, or stays open.
+  // After the limits, only opposite sides with a continuous surface between them prove In.
   const bool opposite = onBoth && Classifier.AreOpposite(part.a, part.b);
   if (level < deepest && Parts[part.edge] < Method.parts &&
     (opposite || !IsLimited || Samples[part.edge] < Method.samples))
@@ -183,7 +183,7 @@ void EdgeRefiner::Settle(const Part& part, EdgeFinding finding, int level)
   if (opposite && finding == EdgeFinding::Uncovered)
   {
     const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
-    // Proven that the surface goes on between them.
+    // The surface is proven continuous between the ends.
     if (std::isfinite(edge.sagitta) && Classifier.Across(part.a, part.b) != EdgeFinding::Open)
     {
       States[part.edge] = ContourVerdict::In;
@@ -194,8 +194,8 @@ void EdgeRefiner::Settle(const Part& part, EdgeFinding finding, int level)
   const bool near = onBoth && Sight.AreNear(part.a, part.b);
   if (level >= deepest && !near && !opposite && !IsPlane)
   {
-    // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
-    // value is between those of two sheets it stays open whether that is a line.
+    // The search ends this close to a silhouette or to the mesh's boundary. A value between those
+    // of two separate sheets is no line.
     return;
   }
   if (ShowsNoValue(part))
@@ -234,7 +234,7 @@ void EdgeRefiner::Refine()
     {
       cost += Classifier.SampleCost(part.a, part.b);
     }
-    // All of a level or none: no pixel goes before another.
+    // A level is subdivided completely or not at all, so no pixel takes precedence.
     if (!Classifier.Affords(cost))
     {
       Open = std::move(parts);

@@ -10,29 +10,29 @@
 
 namespace pixelexact
 {
-/// The verdict of what consists of two parts, without branches.
+/// Joins the verdicts of two parts of an edge or pixel, without branches.
 inline ContourVerdict JoinVerdicts(ContourVerdict a, ContourVerdict b)
 {
   const auto joined = b == ContourVerdict::Out ? a : ContourVerdict::Undecided;
   return a == ContourVerdict::In || b == ContourVerdict::In ? ContourVerdict::In : joined;
 }
 
-/// Settles a tile's edges, and halves those that are open.
+/// Classifies a tile's edges, and subdivides those that stay open.
 class EdgeRefiner
 {
 public:
-  /// `states`: of all edges; those that are in stay so. All must outlive it.
+  /// `states`: verdicts of all edges; In is kept. All arguments must outlive the object.
   EdgeRefiner(LayerSight& sight, const EdgeClassifier& classifier, const ContourMethod& method,
     std::span<ContourVerdict> states, ContourCounters& counted);
 
-  /// Edges of a row or a column, one after the other. `peeks`: a corner of a pixel at the edge
-  /// shows the layer, so that it is looked for between samples that do not.
+  /// Adds an edge; edges of a row or column follow each other. `peeks`: a corner of one of the
+  /// edge's pixels shows the layer, so the edge is subdivided even if both ends do not show it.
   void Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks);
-  /// After a row or a column, or where edges were left out.
+  /// Ends a row or a column, or a run before omitted edges.
   void EndRow();
-  /// Edges that are open become undecided here.
+  /// Makes open edges Undecided in `states`.
   void MarkOpen(std::span<ContourVerdict> states) const;
-  /// Children what is open.
+  /// Subdivides open parts until they are decided or limits are reached.
   void Refine();
 
 private:
@@ -44,18 +44,18 @@ private:
     bool peeks = false;
   };
 
-  /// Of its ends that are on the layer; see EdgeClassifier.
+  /// The side of the first end that shows the layer; see EdgeClassifier.
   [[nodiscard]] int SideOf(const Part& part) const;
-  /// Whether the values of two elements lie on either side of one: it is between them even if none
-  /// takes it.
+  /// An iso-value lies between the values of two elements. The field may jump across it, so that no
+  /// element takes it.
   [[nodiscard]] bool MayJump(const Part& part) const;
   [[nodiscard]] EdgeFinding ClassifyWithin(const Part& part) const;
-  /// Of one that is Uncovered: Out where all that it may meet stays on its side.
+  /// Classifies an Uncovered part by all elements that it may meet: Out if they stay on its side.
   [[nodiscard]] EdgeFinding ClassifyBeyond(const Part& part) const;
-  /// Whether none of all that its rays may meet takes a value, so that it is out whatever they see:
-  /// beside silhouettes, and where the surface ends.
+  /// Nothing that the part's rays may meet takes an iso-value, so the part is Out in any case. Used
+  /// beside silhouettes and where the surface ends.
   [[nodiscard]] bool ShowsNoValue(const Part& part) const;
-  /// Consecutive edges that are Uncovered.
+  /// Classifies consecutive Uncovered edges together.
   void SettleRun(std::span<const Part> run);
   void Settle(const Part& part, EdgeFinding finding, int level);
 
@@ -67,7 +67,7 @@ private:
   ContourCounters& Counted;
   std::vector<int> Parts;   ///< open, of each edge
   std::vector<int> Samples; ///< of each edge, so far
-  bool IsLimited;           ///< these are; on curved surfaces silhouettes take many
+  bool IsLimited; ///< `Samples` has a limit; not on curved surfaces with their silhouettes
   std::vector<Part> Run;
   std::vector<Part> Open;
 };

@@ -10,11 +10,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Pixels along a side, up to which blocks are held against all elements that they may meet.
+/// Largest side, in pixels, of blocks that are tested against all elements that they may meet.
 constexpr int kBlock = 8;
-/// And up to which more is found out about these for it.
+/// Largest side of blocks for which these elements are subdivided.
 constexpr int kThorough = 4;
-/// And up to which the pixels of a block are asked one by one, by what is known of the block.
+/// Largest side of blocks whose pixels are classified one by one from the block's bounds.
 constexpr int kOneByOne = 2;
 } // namespace
 
@@ -80,7 +80,7 @@ EdgeFinding FlatBlocks::ClassifyInside(const EdgeClassifier& classifier, const T
 {
   const int x = block.x0;
   const int y = block.y0;
-  // Of a single row or column the next one serves, in the same pair of pixels.
+  // A block of one row or column uses the centre of the other pixel of its pair.
   const auto next = [](int at, int width, int from, int to)
   { return width > 1 ? at + width - 1 : ((at ^ 1) < to ? at ^ 1 : std::max(at - 1, from)); };
   const int right = next(x, block.Width(), Area.x0, Area.x1);
@@ -155,7 +155,7 @@ void FlatBlocks::SettlePixels(
       else if (ShowsAll && std::ranges::all_of(corners, &Corner::isAhead) &&
         lower + error < upper - error && classifier.Meets(lower + error, upper - error))
       {
-        // The pixel's edge leads from one side of the value to the other, within the element.
+        // The pixel's edge crosses the value inside the element.
         state = ContourVerdict::In;
       }
     }
@@ -212,7 +212,7 @@ bool FlatBlocks::IsOutAnyhow(const EdgeClassifier& classifier, const TileArea& b
       }
     }
   }
-  // A value that the field seems to take between the outermost centres and the block's edge.
+  // Extrapolated linearly from the outermost centres to the block's edge, the field takes a value.
   const int steps = std::max(block.Width(), block.Height()) - 1;
   const double more = steps > 0 ? 0.5 * (upper - lower) / steps : 0.0;
   if (side != EdgeClassifier::kNoSide && steps > 0 && classifier.Meets(lower - more, upper + more))

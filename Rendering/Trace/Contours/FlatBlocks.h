@@ -12,43 +12,42 @@
 
 namespace pixelexact
 {
-/// A tile's pixels on a flat surface that are proven out by blocks, or in, by what is seen at the
-/// pixels' centres, where there are some, and what is known of the elements there: no other samples
-/// are needed.
+/// Classifies a tile's pixels on a flat surface in blocks: by the samples at pixels' centres, where
+/// the frame holds them, and by the bounds of the elements there. Traces no samples.
 class FlatBlocks
 {
 public:
   FlatBlocks(const LayerSight& sight, TileVisit& tile, std::optional<LatticePart> centres);
 
-  /// Whether no ray of the tile meets it in the mesh.
+  /// No ray of the tile meets the surface in the mesh.
   [[nodiscard]] bool AreBeyond() { return IsBeyond(Area); }
-  /// The tile's part of the surface; nothing where a ray does not meet it.
+  /// The tile's part of the surface; none if a ray does not meet it.
   [[nodiscard]] std::optional<Outline> Whole() { return OutlineOf(Area); }
 
-  /// For each pixel of the tile, row by row; Undecided: it is still open. Of those that are not
-  /// asked for (0): Out.
+  /// Verdicts of the tile's pixels, row by row. Undecided: the pixel is still open. Pixels with
+  /// `asked` 0 are Out.
   [[nodiscard]] std::vector<ContourVerdict> Settle(
     const EdgeClassifier& classifier, std::span<const std::uint8_t> asked);
 
 private:
   void Settle(const EdgeClassifier& classifier, const TileArea& block);
-  /// By three of its centres, if they are in one element: Out, Open, or Uncovered where the block
-  /// is not proven to lie in one element. Of a small block that is open, pixels
-  /// may be settled.
+  /// Classifies a block by three of its centres, if they lie in one element: Out, Open, or
+  /// Uncovered if the block is not proven to lie in one element. Decides single pixels of a small
+  /// block that is Open.
   [[nodiscard]] EdgeFinding ClassifyInside(const EdgeClassifier& classifier, const TileArea& block);
-  /// Pixels by the values at their corners, known up to an error.
+  /// Decides a small block's pixels by the values at their corners and the error of these values.
   void SettlePixels(
     const EdgeClassifier& classifier, const TileArea& block, const PlanarValues& values);
   [[nodiscard]] bool IsOpen(const TileArea& block) const;
   void LeaveOut(const TileArea& block);
-  /// By all elements that it may meet.
+  /// All elements that the block may meet prove it Out.
   [[nodiscard]] bool IsOutAnyhow(const EdgeClassifier& classifier, const TileArea& block);
   [[nodiscard]] bool IsBeyond(const TileArea& pixels);
   [[nodiscard]] std::optional<Outline> OutlineOf(const TileArea& pixels);
   struct Corner
   {
     bool isKnown = false;
-    bool meets = false; ///< as of EdgeEnd
+    bool meets = false; ///< as in EdgeEnd
     bool isAhead = false;
     Vec3 x{ 0.0 };
   };
@@ -68,9 +67,9 @@ private:
   const LayerSight& Sight;
   std::optional<LatticePart> Centres;
   TileArea Area;
-  bool IsAhead = false;        ///< no block is beyond
-  bool ShowsAll;               ///< whatever is on the surface in the mesh: nothing hides it
-  std::vector<Corner> Corners; ///< that are known, while blocks are settled
+  bool IsAhead = false;        ///< no block lies beyond the mesh
+  bool ShowsAll;               ///< the surface is visible everywhere in the mesh
+  std::vector<Corner> Corners; ///< met so far, while blocks are classified
   std::vector<ContourVerdict> States;
 };
 } // namespace pixelexact

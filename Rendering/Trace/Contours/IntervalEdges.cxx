@@ -14,10 +14,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Samples that are traced together.
+/// Largest count of samples that are traced together.
 constexpr std::size_t kBatch = 4096;
 
-/// What the samples on a pixel's edge say.
+/// State of a pixel, from the samples and parts on its edge.
 struct SeenPixel
 {
   bool in = false;
@@ -99,7 +99,7 @@ private:
     }
   }
 
-  /// Another sample on a pixel's edge.
+  /// Adds a sample on a pixel's edge.
   void Show(int pixel, const EdgeSample& sample)
   {
     SeenPixel& seen = Pixels[static_cast<std::size_t>(pixel)];
@@ -122,7 +122,7 @@ private:
       [this](int pixel) { return pixel >= 0 && !Pixels[static_cast<std::size_t>(pixel)].in; });
   }
 
-  /// Intervals on the open parts: those stay that may hold a value and are asked for.
+  /// Classifies the open parts by intervals. Parts that may hold an iso-value stay open.
   void ClassifyOpen(IntervalCounters& counters)
   {
     std::erase_if(Open, [this](const EdgePart& part) { return !IsAsked(part.edge); });
@@ -152,7 +152,7 @@ private:
     Open.resize(kept);
   }
 
-  /// The open parts in halves, with samples between.
+  /// Subdivides the open parts at samples in their middles.
   void Subdivide(IntervalCounters& counters)
   {
     const auto first = Samples.size();

@@ -11,8 +11,8 @@
 
 namespace pixelexact
 {
-/// A tile's pixels with their edges: first those that go across, rows from below, then those that
-/// go up.
+/// Numbers a tile's pixels, corners and edges. Horizontal edges come first, in rows from below,
+/// then vertical ones.
 class IntervalLattice
 {
 public:
@@ -24,14 +24,14 @@ public:
 
   [[nodiscard]] int Pixels() const { return Width * Height; }
   [[nodiscard]] int Edges() const { return AcrossEdges() + (Width + 1) * Height; }
-  /// The corners between which an edge goes.
+  /// The corners at the ends of an edge.
   [[nodiscard]] std::array<int, 2> CornersOf(int edge) const
   {
     const auto [x, y, up] = Place(edge);
     const int first = y * (Width + 1) + x;
     return { first, first + (up ? Width + 1 : 1) };
   }
-  /// The pixels of the tile on its two sides; -1 beyond the tile.
+  /// The pixels on the two sides of an edge; -1: outside the tile.
   [[nodiscard]] std::array<int, 2> PixelsOf(int edge) const
   {
     const auto [x, y, up] = Place(edge);
@@ -68,25 +68,25 @@ private:
 
 class TileVisit;
 
-/// Levels of subdivision that ClassifyByIntervals takes, at most: an edge in 256 parts.
+/// Largest count of subdivisions in ClassifyByIntervals: an edge has up to 256 parts.
 inline constexpr int kMaxSubdivisions = 8;
 
-/// What became of pixels, for reports and tests.
+/// Counts of pixels by verdict, for reports and tests.
 struct IntervalCounters
 {
   std::int64_t in = 0;
-  std::int64_t out = 0; ///< of pixels that show the mesh at a sample of their edge
+  std::int64_t out = 0; ///< only pixels that show the mesh at a sample of their edge
   std::int64_t undecided = 0;
-  /// Of the undecided, those with a part of which nothing is proven (PartVerdict::Unproven); of the
-  /// others the intervals are too wide.
+  /// Undecided pixels with a part that has no interval (PartVerdict::Unproven). The intervals of
+  /// the other undecided pixels are too wide.
   std::int64_t unproven = 0;
-  /// By level, 0 the corners: pixels that became In there, and that were undecided after it; these
-  /// are the algorithm's results with fewer subdivisions.
+  /// By level, where level 0 is the corners: pixels that became In at the level, and pixels that
+  /// stayed undecided after it. They are the algorithm's results with fewer subdivisions.
   std::array<std::int64_t, kMaxSubdivisions + 1> inAt{};
   std::array<std::int64_t, kMaxSubdivisions + 1> undecidedAfter{};
   std::array<std::int64_t, kMaxSubdivisions + 1> unprovenAfter{};
-  std::int64_t samples = 0; ///< on edges, beside the corners
-  std::int64_t parts = 0;   ///< of edges, that were judged
+  std::int64_t samples = 0; ///< on edges, without corners
+  std::int64_t parts = 0;   ///< of edges, classified
 
   void Add(const IntervalCounters& other);
 };
@@ -94,20 +94,21 @@ struct IntervalCounters
 /// The contouring algorithm as published (paper, section 5.3), the reference for the project's own.
 ///
 /// 1. A pixel is In if two of its corners bracket an iso-value of a layer that both show.
-/// 2. On the edges of the others, intervals of the field (IntervalParts): where no iso-value lies
-///    in those of all four, the pixel is Out.
-/// 3. `subdivisions` times: parts of edges that are still possible are halved, with a sample at the
-///    middle; a pixel with samples that bracket a value is In, one whose parts are all without a
-///    value Out.
-/// What is left is Undecided.
+/// 2. The edges of the other pixels get intervals of the field (IntervalParts). A pixel is Out if
+///    none of its edges' intervals contains an iso-value.
+/// 3. This step is repeated `subdivisions` times. Open parts of edges are subdivided at a sample in
+///    their middle. A pixel with samples that bracket an iso-value is In. A pixel with no open part
+///    is Out.
+/// The remaining pixels are Undecided.
 ///
 /// Out is proven. In means, as in the paper's equation 12, that two points of the edge bracket the
 /// value: it occurs between them if the field is continuous on the way, else it jumps there.
 ///
-/// `values`: of each of the scene's layers its iso-values, in ascending order; layers beyond the
-/// list have none. `verdicts`: of the tile's pixels, row by row, a ContourVerdict each. The
-/// corners must have kEdgeSampleBuffers. What a pixel gets does not depend on tiles. Throws Error
-/// for subdivisions beyond 0 to kMaxSubdivisions, and for more lists of values than layers.
+/// `values`: the iso-values of each of the scene's layers, in ascending order; layers without a
+/// list have none. `verdicts`: a ContourVerdict for each of the tile's pixels, row by row. The
+/// corners must have kEdgeSampleBuffers. A pixel's verdict does not depend on tiles. Throws Error
+/// if `subdivisions` is outside 0 to kMaxSubdivisions, or if there are more lists of values than
+/// layers.
 void ClassifyByIntervals(TileVisit& tile, std::span<const std::vector<double>> values,
   int subdivisions, std::span<std::uint8_t> verdicts, IntervalCounters& counters);
 } // namespace pixelexact

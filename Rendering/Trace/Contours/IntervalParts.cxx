@@ -124,8 +124,8 @@ void IntervalParts::ClassifyInElement(std::span<const EdgeSample> samples,
   }
 }
 
-/// t is a quotient of two functions that are linear along the edge. Where the denominator keeps its
-/// sign, t keeps the one that it has at both ends: all rays between meet the plane, or none does.
+/// t is a quotient of two functions that are linear along the edge. If the denominator has the same
+/// sign at both ends, it has no zero between them, and all rays between meet the plane.
 bool IntervalParts::IsStraight(const EdgeSample& from, const EdgeSample& to) const
 {
   return Slope(from.at) * Slope(to.at) > 0.0;
@@ -157,7 +157,7 @@ bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) c
 double IntervalParts::SlackOf(const Vec3& position, const ImagePosition& at) const
 {
   const Ray ray = camera_.At(at[0], at[1]);
-  // Towards grazing rays, t is less and less certain.
+  // The error of t grows towards grazing rays.
   return kPositionRoundings * kUnitRoundoff *
     (LargestOf(ray.origin) + LargestOf(plane_->Through()) + LargestOf(position) +
       glm::distance(ray.origin, position)) /

@@ -22,25 +22,25 @@ struct EdgePart
   int to = 0;
 };
 
-/// What the interval on a part tells of the iso-values.
+/// Compares the interval on a part with the iso-values.
 enum class PartVerdict : std::uint8_t
 {
-  Out = 0,      ///< proven: none occurs on it
-  Possible = 1, ///< one lies in the interval
-  Unproven = 2  ///< there is no interval: it is infinite
+  Out = 0,      ///< proven: no iso-value occurs on it
+  Possible = 1, ///< an iso-value lies in the interval
+  Unproven = 2  ///< there is no finite interval
 };
 
 /// Intervals of a scene's field on parts of pixels' edges.
 ///
-/// There is one where the scene has a single layer, which is a Plane, and both ends lie in the same
-/// element: the pixel's edge is then straight in the world. Parts of a Plane with both ends beside
-/// the mesh are Out where MissesMesh proves it, or where they are cut away together. Of all others
-/// nothing is known, as the paper says nothing of them. What a part gets depends on that part
+/// A part has an interval if the scene has a single layer, this layer is a Plane, and both ends lie
+/// in the same element: the edge is then straight in the world. Parts of a Plane with both ends
+/// outside the mesh are Out where MissesMesh proves it, or where both ends are clipped by the same
+/// plane. All other parts are Unproven, as in the paper. A part's verdict depends on that part
 /// alone.
 class IntervalParts
 {
 public:
-  /// `values`: of each layer, in ascending order. All must outlive the object.
+  /// `values`: of each layer, in ascending order. All arguments must outlive the object.
   IntervalParts(
     const Scene& scene, const Camera& camera, std::span<const std::vector<double>> values);
 
@@ -52,13 +52,13 @@ private:
     std::span<const int> chosen, std::vector<PartVerdict>& verdicts) const;
   [[nodiscard]] bool IsStraight(const EdgeSample& from, const EdgeSample& to) const;
   [[nodiscard]] bool IsBesideMesh(const EdgeSample& from, const EdgeSample& to) const;
-  /// Of the ray there, against the plane.
+  /// Dot product of the ray's direction at `at` and the plane's normal.
   [[nodiscard]] double Slope(const ImagePosition& at) const;
   [[nodiscard]] double SlackOf(const Vec3& position, const ImagePosition& at) const;
 
   const Scene& scene_;
   const Camera& camera_;
   std::span<const std::vector<double>> Values;
-  const Plane* plane_ = nullptr; ///< null: another scene
+  const Plane* plane_ = nullptr; ///< null: the scene is not a single plane
 };
 } // namespace pixelexact

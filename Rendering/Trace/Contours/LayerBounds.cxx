@@ -13,8 +13,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Of sums in single precision. EdgeFunctions multiplies its bound for doubles, of n roundings of
-/// 2^-53, with this over 2^-53: that is 32 times as much as n roundings of a float, 2^-24, make.
+/// Rounding of sums in single precision. EdgeFunctions bounds n roundings of doubles, 2^-53 each,
+/// and multiplies the bound by this number over 2^-53. The result is 32 times n roundings of a
+/// float, 2^-24 each.
 constexpr double kFloatRounding = 0x1p-19;
 } // namespace
 

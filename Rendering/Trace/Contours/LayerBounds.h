@@ -15,9 +15,9 @@
 
 namespace pixelexact
 {
-/// What is known of a layer's field for contours, element by element, made where somebody first
-/// asks: it depends on neither view nor values. Safe to use from several threads. Locator and field
-/// must outlive it.
+/// Bounds of a layer's field for contours, per element, computed on first use. They depend on
+/// neither view nor iso-values. Safe to use from several threads. Locator and field must outlive
+/// the object.
 class LayerBounds
 {
 public:
@@ -26,8 +26,7 @@ public:
   LayerBounds(const LayerBounds&) = delete;
   LayerBounds& operator=(const LayerBounds&) = delete;
 
-  /// Whether nothing is known of the field but its values: of expressions with jumps, with normals
-  /// or without a gradient.
+  /// The field has no bounds: an expression with jumps, with normals or without a gradient.
   [[nodiscard]] bool IsUnknown() const
   {
     return field_.function != nullptr && !field_.function->HasJets();
@@ -35,11 +34,11 @@ public:
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return index_; }
-  /// Holds the values in all elements but those that are not finite; found out once, by all threads
-  /// that ask.
+  /// Contains the values in all elements with finite values. Computed once, by all threads that
+  /// call it.
   [[nodiscard]] const Interval& Values() const;
 
-  /// Elements that have been asked for.
+  /// Count of elements whose bounds have been computed.
   [[nodiscard]] std::int64_t Elements() const
   {
     return static_cast<std::int64_t>(Made.MadeCount());
@@ -56,8 +55,8 @@ private:
   std::unique_ptr<SharedRange> All; ///< computed by the first call of Values
 };
 
-/// What is known of the fields of one locator's mesh, kept from frame to frame. Safe to use from
-/// several threads. Whoever keeps it drops it with the locator or its fields.
+/// Bounds for the fields of one locator's mesh, kept from frame to frame. Safe to use from several
+/// threads. The owner discards them with the locator or its fields.
 class ContourBounds
 {
 public:

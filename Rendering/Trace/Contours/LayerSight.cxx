@@ -12,9 +12,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Distance of two hits over that of their rays, up to which they count as near.
+/// Largest ratio of the distance of two near hits to the distance of their rays.
 constexpr double kSteepest = 64.0;
-/// Of the mesh's depth: room for rounding.
+/// Factor on the mesh's depth that covers rounding.
 constexpr double kBeyond = 1.0 + 1e-6;
 } // namespace
 
@@ -52,8 +52,9 @@ bool LayerSight::IsPlaneBeyond(std::span<const EdgeEnd> ends) const
   {
     return false;
   }
-  // A plane's reciprocal depth (parallel: its depth) is linear in the image: where no end's ray
-  // meets it, none between them does, and none before the nearest end's.
+  // A plane's reciprocal depth (with parallel rays: its depth) is linear in the image. So if no
+  // end's ray meets the plane, no ray between them does, and no hit is nearer than the nearest
+  // end's.
   return std::ranges::none_of(ends,
     [this](const EdgeEnd& end)
     { return end.isAhead && (IsParallel || DepthOf(end.point.x) <= MeshDepth); });
@@ -101,7 +102,7 @@ EdgeEnd LayerSight::EndOf(
 
 void LayerSight::MeetPlane(EdgeEnd& end) const
 {
-  // It goes on where the mesh ends, and of parallel rays behind the eye.
+  // The plane continues outside the mesh and, with parallel rays, behind the eye.
   const auto [t, x] = plane_->Cross(RayOf(end));
   end.isAhead = kNearest <= t && t <= kFarthest;
   end.meets = end.isAhead || (IsParallel && kNearest <= -t && -t <= kFarthest);

@@ -15,7 +15,7 @@
 
 namespace pixelexact
 {
-/// The sample at a point of a pixel's edge.
+/// The sample of a ray through a point of a pixel's edge.
 struct EdgeSample
 {
   ImagePosition at{};
@@ -27,7 +27,7 @@ struct EdgeSample
   Vec3 position{ 0.0 };
 };
 
-/// The buffers that a sample is made of.
+/// The buffers that an EdgeSample is read from.
 inline constexpr Buffer kEdgeSampleBuffers =
   Buffer::Value | Buffer::Verdict | Buffer::Layer | Buffer::Element | Buffer::Xi | Buffer::Position;
 inline EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const ImagePosition& at)
@@ -37,14 +37,14 @@ inline EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const 
     samples.xi[i], samples.position[i] };
 }
 
-/// What the rays of a tile see of one layer's surface.
+/// Views one layer's surface by the rays of a tile.
 class LayerSight
 {
 public:
   LayerSight(TileVisit& tile, int layer);
 
   [[nodiscard]] const Surface& GetSurface() const { return surface_; }
-  /// The surface, if it is a plane; else null.
+  /// The surface as a plane; null if it is none.
   [[nodiscard]] const Plane* AsPlane() const { return plane_; }
   [[nodiscard]] bool Shows(const EdgeEnd& end) const { return end.layer == Layer; }
   [[nodiscard]] bool ShowsAt(const SampleBuffers& samples, std::size_t i) const
@@ -52,33 +52,33 @@ public:
     return samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
       samples.layer[i] == Layer;
   }
-  /// Of a sample with kEdgeSampleBuffers and, where the surface has pieces, Buffer::Piece.
+  /// Reads a sample with kEdgeSampleBuffers and, if the surface has pieces, Buffer::Piece.
   [[nodiscard]] EdgeEnd EndOf(
     const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
-  /// Where its ray meets a plane: sets x, meets and isAhead.
+  /// Meets the plane by the end's ray: sets x, meets and isAhead.
   void MeetPlane(EdgeEnd& end) const;
   [[nodiscard]] std::vector<EdgeEnd> Trace(std::span<const ImagePosition> positions);
 
-  /// Between their rays, as far as the mesh goes.
+  /// The beam between two ends' rays, clipped to the mesh's box.
   [[nodiscard]] EdgeBeam BeamBetween(const EdgeEnd& a, const EdgeEnd& b) const
   {
     return { RayOf(a), RayOf(b), Tile.GetScene().locator->Index().Bounds() };
   }
   [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
-  /// Whether no ray between those of some ends, in order around, meets a plane in the mesh: it is
-  /// behind the eye, or farther off than the mesh, as towards the horizon. Of other surfaces false.
+  /// The plane is behind the eye or beyond the mesh, as towards the horizon, for all rays between
+  /// those of some ends, in order around. False for other surfaces.
   [[nodiscard]] bool IsPlaneBeyond(std::span<const EdgeEnd> ends) const;
-  /// Whether another layer is seen instead.
+  /// The end shows another layer.
   [[nodiscard]] bool Hides(const EdgeEnd& end) const { return end.layer >= 0 && !Shows(end); }
-  /// How far off the triangle between three ends it is.
+  /// Largest distance of the surface from the triangle between three ends.
   [[nodiscard]] double SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const;
-  /// Whether two ends that show it are about as far apart as their rays, so that it may well go on
-  /// between them.
+  /// The distance of two ends that show the layer is comparable with that of their rays, so the
+  /// surface is probably continuous between them.
   [[nodiscard]] bool AreNear(const EdgeEnd& a, const EdgeEnd& b) const;
 
 private:
   [[nodiscard]] Ray RayOf(const EdgeEnd& end) const;
-  /// Along the direction of view, in units of the rays' own; of cameras whose rays meet in the eye.
+  /// Depth along the direction of view, in units of the rays' own; only for perspective cameras.
   [[nodiscard]] double DepthOf(const Vec3& x) const;
 
   TileVisit& Tile;
@@ -86,6 +86,6 @@ private:
   const Surface& surface_;
   const Plane* plane_; ///< the surface, if it is one
   bool IsParallel;
-  double MeshDepth = 0.0; ///< of the mesh's farthest point, or more
+  double MeshDepth = 0.0; ///< upper bound for the mesh's points
 };
 } // namespace pixelexact

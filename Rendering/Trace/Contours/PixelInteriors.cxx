@@ -8,7 +8,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a square, the middles of its sides, from below on, and its own.
+/// Points that a quartered square adds: the middles of its sides, from below on, and its centre.
 constexpr std::size_t kAdded = 5;
 
 std::array<ImagePosition, kAdded> PlacesIn(const PixelInteriors::Corners& corners)
@@ -21,7 +21,7 @@ std::array<ImagePosition, kAdded> PlacesIn(const PixelInteriors::Corners& corner
   return { between(0, 1), between(1, 2), between(2, 3), between(3, 0), between(0, 2) };
 }
 
-/// A pixel's segments are one edge to EdgeRefiner.
+/// EdgeRefiner treats all segments of a pixel as one edge, so their samples have no limit.
 ContourMethod WithAnySamples(ContourMethod method)
 {
   method.samples = ContourMethod::kAny;
@@ -74,7 +74,7 @@ bool PixelInteriors::IsOut(const Square& square) const
   const bool isPlane = Sight.GetSurface().IsPlane();
   if (!std::ranges::all_of(ends, &EdgeEnd::meets))
   {
-    // A curved surface that no corner shows is not asked for; see EdgeRefiner.
+    // A curved surface that no corner shows is not searched; see EdgeRefiner.
     return !isPlane &&
       std::ranges::none_of(ends, [this](const EdgeEnd& end) { return Sight.Shows(end); });
   }
@@ -83,7 +83,7 @@ bool PixelInteriors::IsOut(const Square& square) const
   {
     return Classifier.StaysOn(side, Outline(x), 0.0);
   }
-  // One side of both triangles, of which all corners are.
+  // Both triangles stay on the side of all corners.
   const auto staysOn = [&](std::size_t a, std::size_t b, std::size_t c)
   {
     return Classifier.StaysOn(side, Outline(std::array{ x[a], x[b], x[c] }),
@@ -183,7 +183,7 @@ void PixelInteriors::Refine()
       const std::span<const EdgeEnd> added = std::span(ends).subspan(kAdded * i, kAdded);
       for (std::size_t k = 0; k < corners.size(); ++k)
       {
-        // From its corner on, around.
+        // The child's corners, in order from the parent's corner k.
         Settle({ pixel, { corners[k], added[k], added[4], added[(k + 3) % 4] } }, level);
       }
     }

@@ -10,19 +10,20 @@
 
 namespace pixelexact
 {
-/// Looks for values inside of pixels on whose edges there are none: the pixel's square is quartered
-/// until all that it may meet stays on one side, or a value is between two samples.
+/// Searches iso-values inside pixels whose edges are Out. A pixel's square is quartered until all
+/// that it may meet stays on one side, or until two samples bracket an iso-value.
 class PixelInteriors
 {
 public:
-  /// `states`: of all pixels; only those that are out are asked. All must outlive it.
+  /// `states`: verdicts of all pixels; only those that are Out are searched. All arguments must
+  /// outlive the object.
   PixelInteriors(LayerSight& sight, const EdgeClassifier& classifier, const ContourMethod& method,
     std::span<ContourVerdict> states, ContourCounters& counted);
 
   /// A pixel's corners: lower left, lower right, upper right, upper left.
   using Corners = std::array<EdgeEnd, 4>;
   void Add(std::size_t pixel, const Corners& corners);
-  /// Settles what has been added.
+  /// Classifies the added pixels.
   void Refine();
 
 private:
@@ -32,10 +33,10 @@ private:
     Corners corners;
   };
 
-  /// Whether nothing that it may meet takes a value, and all is on one side.
+  /// Nothing that the square may meet takes an iso-value, and all of it is on one side.
   [[nodiscard]] bool IsOut(const Square& square) const;
   void Settle(const Square& square, int level);
-  /// Samples that show the layer on either side of a value: whether it is between them.
+  /// Makes the pixel In if the surface is continuous between samples on both sides of an iso-value.
   void Compare(const Square& square, std::span<const EdgeEnd> samples);
 
   LayerSight& Sight;

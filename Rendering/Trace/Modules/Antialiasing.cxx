@@ -23,7 +23,7 @@ double RadicalInverse(int i)
   return sum;
 }
 
-/// What does not show is all alike.
+/// The colours are one colour up to kAlike; those of transparent pixels always are.
 bool AreAlike(const std::uint8_t* a, const std::uint8_t* b)
 {
   if (std::abs(a[3] - b[3]) > Antialiasing::kAlike)
@@ -42,7 +42,7 @@ Antialiasing::Antialiasing(int samples)
   {
     throw Error("anti-aliasing: " + std::to_string(samples) + " samples a pixel; give at least 1.");
   }
-  // Hammersley's set: as even in either direction as a set of its size can be.
+  // Hammersley's set has optimal uniformity in both directions for its size.
   for (int i = 0; i < samples; ++i)
   {
     Offsets.push_back({ (i + 0.5) / samples, RadicalInverse(i) + 0.5 / samples });
@@ -89,7 +89,7 @@ void Antialiasing::Process(TileVisit& tile)
     }
   }
   RefinedPixels += static_cast<std::int64_t>(pixels.size());
-  // Some thousand samples at a time.
+  // Traces about 4096 samples at a time.
   const std::size_t some = std::max<std::size_t>(1, 4096 / Offsets.size());
   for (std::size_t first = 0; first < pixels.size(); first += some)
   {

@@ -9,16 +9,16 @@
 
 namespace pixelexact
 {
-/// Pixels that are not of one colour get the mean of several samples: those whose centre and
-/// corners differ. The frame's image alone changes; its buffers stay those of the pixels' centres.
-/// Without colours it does nothing.
+/// Gives pixels whose centre and corners differ in colour the mean of several samples. Changes only
+/// the frame's image; its buffers stay those of the pixels' centres. Without colours it does
+/// nothing.
 class Antialiasing final : public FrameModule
 {
 public:
-  /// Steps of a colour channel, of 255, that are taken for one colour.
+  /// Largest difference of a colour channel, of 255, within one colour.
   static constexpr int kAlike = 8;
 
-  /// `samples` in a pixel that is refined, from 1.
+  /// `samples`: per refined pixel, at least 1.
   explicit Antialiasing(int samples);
 
   [[nodiscard]] SampleNeeds Needs() const override;

@@ -13,7 +13,7 @@ namespace
 std::size_t EndOfRun(const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t end)
 {
   const std::uint8_t* first = bytes.data() + begin;
-  // Most often all are.
+  // Usually all bytes are equal.
   if (std::memcmp(first, first + 1, end - begin - 1) == 0)
   {
     return end;
@@ -80,7 +80,7 @@ Buffer ColorMapping::Needs() const
 
 void ColorMapping::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const
 {
-  // Runs of samples of one kind go through the map together.
+  // Consecutive samples with one verdict and layer are mapped together.
   for (std::size_t i = begin; i < end;)
   {
     std::size_t next = EndOfRun(samples.verdict, i, end);

@@ -12,62 +12,62 @@ namespace pixelexact
 {
 using Rgba = std::array<std::uint8_t, 4>;
 
-/// Values to straight RGBA bytes. Called from several threads at once, with NaN among the values.
+/// Maps values, including NaN, to straight RGBA bytes. Called from several threads at once.
 using ColorMap = std::function<void(std::span<const double> values, std::uint8_t* rgba)>;
 
 /// One colour for every value.
 [[nodiscard]] ColorMap SolidColor(const Rgba& color);
 
-/// Divides the range into `bands` (at least 1) parts of equal width, with `logarithmic` of equal
-/// ratio, and gives all values of a part the colour of its middle. Values outside of the range get
-/// the colours of the first and the last part; values that are not finite, or have no logarithm,
-/// those of `map`.
+/// Divides the range into `bands` (at least 1) parts of equal width or, with `logarithmic`, of
+/// equal ratio. All values of a part get the colour of its middle. Values outside the range get the
+/// colour of the first or last part. Values that are not finite, or have no logarithm, get their
+/// colour from `map`.
 [[nodiscard]] ColorMap InBands(
   ColorMap map, const std::array<double, 2>& range, int bands, bool logarithmic);
 
-/// The colours of values, for any range of them.
+/// A colour table that applies to any range of values.
 class ColorTable
 {
 public:
   virtual ~ColorTable() = default;
 
-  /// Throws Error for a range that the table cannot have.
+  /// Throws Error for an invalid range.
   [[nodiscard]] virtual ColorMap Over(const std::array<double, 2>& range) const = 0;
-  /// Whether colours are by the logarithm of values, which are above 0 then.
+  /// Colours depend on the logarithm of values, which must be positive.
   [[nodiscard]] virtual bool IsLogarithmic() const = 0;
-  /// Whether all of its colours are opaque.
+  /// All colours are opaque.
   [[nodiscard]] virtual bool IsOpaque() const = 0;
-  /// The range where a rule is of values and none are seen.
+  /// The range of a rule that finds no values.
   [[nodiscard]] virtual std::array<double, 2> RangeOfNothing() const = 0;
-  /// Whether the other one gives the same colours.
+  /// Both tables give the same colours.
   [[nodiscard]] virtual bool IsSame(const ColorTable& other) const = 0;
 };
 
-/// How a layer is coloured.
+/// Colours of a layer.
 struct LayerColors
 {
   ColorMap map;
   Rgba unknown{ 255, 0, 255, 255 }; ///< of samples whose verdict is Unknown
-  double opacity = 1.0;             ///< of all of it, 0 to 1
-  /// False: the map gives one colour, and there need be no values.
+  double opacity = 1.0;             ///< of the layer, 0 to 1
+  /// False: the map gives one colour, so values need not be computed.
   bool readsValues = true;
 };
 
-/// The colour mapping module (paper, section 5.2): each exact sample gets the colour of its own
-/// value; those whose verdict is Unknown the unknown one; the rest stays transparent.
+/// The colour mapping module (paper, section 5.2): an exact sample gets the colour of its value, an
+/// Unknown one the colour `unknown`; others stay transparent.
 class ColorMapping final : public SampleColors
 {
 public:
-  /// All layers alike.
+  /// One appearance for all layers.
   explicit ColorMapping(ColorMap map, const Rgba& unknown = { 255, 0, 255, 255 });
-  /// Layer by layer, as many as the scene has.
+  /// One entry per layer of the scene.
   explicit ColorMapping(std::vector<LayerColors> layers);
 
   [[nodiscard]] Buffer Needs() const override;
   void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
 
 private:
-  /// Of samples with the same verdict, on the same layer.
+  /// Paints consecutive samples with one verdict on one layer.
   void PaintRun(SampleBuffers& samples, std::size_t begin, std::size_t end) const;
   static void PaintExact(
     const LayerColors& layer, SampleBuffers& samples, std::size_t begin, std::size_t count);

@@ -17,9 +17,9 @@ namespace
 constexpr std::array kNoRange{ std::numeric_limits<double>::infinity(),
   -std::numeric_limits<double>::infinity() };
 
-/// A step that is shorter, in pixels, is the last.
+/// A step shorter than this, in pixels, is the last.
 constexpr double kSettled = 1e-4;
-/// Beyond the steps that lead `far` pixels away; each converges as Newton's do.
+/// Steps beyond those that lead `far` pixels away. Convergence is quadratic, as Newton's.
 constexpr int kMoreSteps = 8;
 
 void Widen(std::array<double, 2>& range, const std::array<double, 2>& by)
@@ -27,7 +27,7 @@ void Widen(std::array<double, 2>& range, const std::array<double, 2>& by)
   range = { std::min(range[0], by[0]), std::max(range[1], by[1]) };
 }
 
-/// 0 where there is one layer and nobody asked.
+/// 0 if there is one layer and no buffer of layers.
 std::uint8_t LayerOfSample(const SampleBuffers& samples, std::size_t i)
 {
   return samples.layer.empty() ? std::uint8_t{ 0 } : samples.layer[i];
@@ -44,8 +44,8 @@ bool IsWhole(const SampleBuffers& samples, const std::array<std::size_t, 4>& at)
     });
 }
 
-/// Whether two corners, side by side, are of one sheet, where `along` is the ray's direction. Not
-/// where something is not finite.
+/// Two neighbouring corners lie on one sheet. `along`: the ray's direction. False if a number is
+/// not finite.
 bool AreOnOneSheet(const SampleBuffers& samples, std::size_t a, std::size_t b, const Vec3& along)
 {
   const Vec3 chord = samples.position[b] - samples.position[a];
@@ -59,7 +59,7 @@ bool AreOnOneSheet(const SampleBuffers& samples, std::size_t a, std::size_t b, c
     length * facing <= ContourCells::kTooLong * across;
 }
 
-/// The same of a pixel's four.
+/// The same for all four sides of a pixel.
 bool AreOnOneSheet(
   const SampleBuffers& samples, const std::array<std::size_t, 4>& at, const Vec3& along)
 {
@@ -176,7 +176,7 @@ std::optional<ContourFoot> ContourCells::Find(const glm::dvec2& from, double val
     {
       return ContourFoot{ glm::dot(at - from, towards), towards };
     }
-    // Where the field is nearly flat the contour is not as far as it seems.
+    // Where the field is nearly flat, the step overestimates the distance.
     at += std::clamp(way, -1.0, 1.0) * towards;
   }
   return std::nullopt;

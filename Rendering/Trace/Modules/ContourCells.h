@@ -14,47 +14,49 @@ namespace pixelexact
 {
 struct LatticePart;
 
-/// Where a contour is nearest to a point of the image.
+/// The point of a contour that is nearest to a point of the image.
 struct ContourFoot
 {
   double distance = 0.0; ///< in pixels, along `towards`
   glm::dvec2 towards{};  ///< across the contour, unit length
 };
 
-/// The field between the corners of pixels. A pixel is *whole* where all its corners are exact,
-/// show finite values of one layer, and one sheet of it; there the field is taken for bilinear,
-/// which is off by an eighth of its second derivatives at most: a contour by as much over the
-/// gradient. In pixels that are not whole nothing is said. Keeps its arrays from tile to tile.
+/// The field between the corners of pixels. A pixel is *whole* if all its corners are exact and
+/// show finite values on one sheet of one layer. In whole pixels the field is taken as bilinear.
+/// Its error is at most an eighth of the field's second derivatives (per pixel squared); that of a
+/// contour is this error over the gradient. Other pixels have no field. Keeps its arrays from tile
+/// to tile.
 class ContourCells
 {
 public:
-  /// Two corners, side by side, are of different sheets, because the surface hides a part of
-  /// itself, where the sine of the angle between chord and surface is more. On one sheet that is
-  /// half of the angle by which it turns from corner to corner.
+  /// Two neighbouring corners lie on different sheets if the sine of the angle between their chord
+  /// and the surface is greater. On one sheet, this angle is half of the surface's turn between the
+  /// corners.
   static constexpr double kOffTangent = 0.5;
-  /// And where the chord is longer by this factor than it would be on the tangent plane, of the two
-  /// ends the one that faces the eye more. On one sheet that is 2 at a silhouette.
+  /// They also do if the chord is longer by this factor than its image on the tangent plane at the
+  /// end that faces the eye more. On one sheet, the factor is 2 at a silhouette.
   static constexpr double kTooLong = 3.0;
 
-  /// `pixels`: whose corners may be read; they must outlive what is asked. `camera`: to tell sheets
-  /// apart, by the corners' positions and normals; null: there is one.
+  /// `pixels`: those whose corners may be read. `camera`: separates sheets by the corners'
+  /// positions and normals; null: there is one sheet. Arguments must outlive all calls for this
+  /// tile.
   void Begin(const LatticePart& corners, const TileArea& pixels, const Camera* camera);
 
   /// The layer of a whole pixel, else kNoLayer.
   [[nodiscard]] std::uint8_t LayerOf(int x, int y) const { return Layers[At(x, y)]; }
 
-  /// For each of `area`'s pixels, row by row, the least and the greatest value in whole pixels that
-  /// are no farther than `far`, each way; where there are none, the first is above the second.
+  /// For each of `area`'s pixels, row by row: the least and greatest value in whole pixels within
+  /// `far` pixels in each direction. The first exceeds the second if there are none.
   [[nodiscard]] const std::vector<std::array<double, 2>>& RangesAbout(
     const TileArea& area, int far);
 
-  /// The contour that is met by going up or down the field, from a place in a whole pixel, such as
-  /// its middle, and through whole pixels of its layer no farther than `far`, each way. None where
-  /// that does not end at the value.
+  /// Follows the field up or down to `value`, from a point in a whole pixel and through whole
+  /// pixels of its layer within `far` pixels in each direction. Returns none if the value is not
+  /// reached.
   [[nodiscard]] std::optional<ContourFoot> Find(
     const glm::dvec2& from, double value, int far) const;
 
-  /// The field at a place; none where the pixel is not whole.
+  /// The field at a point; none if the pixel is not whole.
   [[nodiscard]] std::optional<double> ValueAt(const glm::dvec2& at) const;
 
 private:

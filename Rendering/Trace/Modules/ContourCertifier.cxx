@@ -15,11 +15,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Of what may be spent on a frame: what is for every tile, and the most for one.
+/// Parts of a frame's work budget: for the first pass over all tiles, and for one tile at most.
 constexpr double kFirstShare = 0.5;
 constexpr double kMaxOfTile = 0.1;
-/// Of the work of a frame, where a layer with lines shows an expression: boxes and points cost many
-/// times what they cost of fields, and pixels that need as much are seldom decided by more.
+/// Factor on a frame's work budget if a layer with iso-values shows an expression. Boxes and points
+/// of expressions cost many times those of fields, and more work seldom decides more pixels.
 constexpr double kShareOfExpressions = 0.125;
 
 std::size_t PixelsOf(const TileArea& area)
@@ -108,7 +108,7 @@ FrameModule* ContourCertifier::Rest()
 
 SampleNeeds ContourCertifier::Needs() const
 {
-  // Whether a surface goes on between two corners is asked of the surface alone.
+  // The surface itself decides whether it is continuous between two corners.
   if (Method.subdivisions)
   {
     return { .corners = kEdgeSampleBuffers };
@@ -146,7 +146,7 @@ void ContourCertifier::Process(TileVisit& tile)
     Count(counters);
     return;
   }
-  // By its part of the frame.
+  // A tile's share is proportional to its pixels.
   const double part = kFirstShare * static_cast<double>(verdicts.size()) /
     static_cast<double>(std::max<std::size_t>(Pixels.size(), 1));
   const auto share = static_cast<std::int64_t>(part * WorkOf(tile.GetScene()));

@@ -16,27 +16,27 @@
 
 namespace pixelexact
 {
-/// What is known of a pixel and the iso-values (paper, section 5.3): whether one of them occurs on
-/// its edge or, with ContourMethod::interior, in it.
+/// Verdict on a pixel: whether an iso-value occurs on its edge or, with ContourMethod::interior,
+/// inside it (paper, section 5.3).
 enum class ContourVerdict : std::uint8_t
 {
-  Out = 0, ///< proven: none does
-  In = 1,  ///< proven: one does, or the field jumps across it there
+  Out = 0, ///< proven: no iso-value occurs
+  In = 1,  ///< proven: one occurs, or the field jumps across it
   Undecided = 2
 };
 
-/// What a frame's pixels are, for reports and tests.
+/// Counts of a frame's pixels, for reports and tests.
 struct ContourCounters
 {
   std::int64_t in = 0;
-  std::int64_t out = 0; ///< of pixels that show the mesh somewhere on their edge
+  std::int64_t out = 0; ///< only pixels that show the mesh somewhere on their edge
   std::int64_t undecided = 0;
-  std::int64_t jumps = 0;   ///< edges that are in because the field jumps across a value
-  std::int64_t loops = 0;   ///< pixels that are in because of a value inside alone
-  std::int64_t samples = 0; ///< beside the corners
-  std::int64_t spent = 0;   ///< tiles of layers in which their part of ContourMethod::work ran out
-  // By what pixels are settled, those of each layer with values: by ranges, by blocks of them and
-  // by what is known of these, with no corner traced; by whole edges; by edges that were halved.
+  std::int64_t jumps = 0;   ///< edges that are In because the field jumps across a value
+  std::int64_t loops = 0;   ///< pixels that are In only by a value inside
+  std::int64_t samples = 0; ///< without corners
+  std::int64_t spent = 0;   ///< layers of tiles that exhausted their part of ContourMethod::work
+  // Pixels by the step that decided them, summed over layers with iso-values: ranges and blocks,
+  // with no corner traced; whole edges; subdivided edges.
   std::int64_t byBlocks = 0;
   std::int64_t byEdges = 0;
   std::int64_t byParts = 0;
@@ -44,25 +44,23 @@ struct ContourCounters
   void Add(const ContourCounters& other);
 };
 
-/// How pixels are told.
+/// How pixels are classified, and the limits.
 struct ContourMethod
 {
-  /// The paper's algorithm with so many subdivisions (ClassifyByIntervals); none: the project's
-  /// own.
+  /// Subdivisions of the paper's algorithm (ClassifyByIntervals); none: the project's algorithm.
   std::optional<int> subdivisions;
-  // What may be spent on an edge by the project's own.
+  // Limits of the project's algorithm.
   int subdivisions = 8; ///< of an edge in one element
-  int crossings = 12;   ///< of one that leaves its element
-  int parts = 16;       ///< of an edge that are open at once
+  int crossings = 12;   ///< of an edge that leaves its element
+  int parts = 16;       ///< open parts of an edge at once
   static constexpr int kAny = std::numeric_limits<int>::max();
-  int samples = 20; ///< of an edge on a plane, but between values on two sides
-  /// On samples and on boxes of elements, for a frame, in about nanoseconds (EdgeWork).
+  int samples = 20; ///< of an edge on a plane whose ends are on one side
+  /// Work budget of a frame for samples and boxes of elements, in about nanoseconds (EdgeWork).
   std::int64_t work = 40'000'000'000;
-  /// Whether values are looked for inside of pixels on whose edges there are none, too; not with
-  /// subdivisions.
+  /// Searches iso-values also inside pixels whose edges are Out. Excludes the paper's algorithm.
   bool interior = false;
-  int quarterings = 6; ///< of a pixel's square, for that
-  int squares = 64;    ///< of a pixel that are open at once
+  int quarterings = 6; ///< levels of a pixel's square, for `interior`
+  int squares = 64;    ///< open squares of a pixel at once
 
   /// Multiplies the limits by `effort`, 0.001 to 1000. A doubling adds one more subdivision of
   /// edges and of pixels.
@@ -73,16 +71,16 @@ struct ContourMethod
 
 class ContourBounds;
 
-/// Which of a layer's iso-values occur on the edges of a pixel: the verdicts, with which lines are
-/// drawn (ContourLines).
+/// Classifies pixels by whether a layer's iso-values occur on their edges. ContourLines draws lines
+/// from the verdicts.
 class ContourCertifier final : public FrameModule
 {
 public:
-  /// `values`: of each of the scene's layers its iso-values, in any order, each counted once; none:
-  /// no contours on it.
-  /// `bounds`: what is known of the fields, to be used again; null: it is found out for each frame.
-  /// Throws Error for a value that is not finite, and for a method that contradicts itself; Process
-  /// does for fewer or more lists than layers.
+  /// `values`: the iso-values of each of the scene's layers, in any order; duplicates are removed;
+  /// an empty list: no contours on the layer. `bounds`: bounds of the fields, kept for later
+  /// frames; null: they are computed for each frame. Throws Error for a value that is not finite
+  /// and for a contradictory method. Process throws Error if the number of lists is not that of
+  /// layers.
   explicit ContourCertifier(std::vector<std::vector<double>> values,
     const ContourMethod& method = {}, std::shared_ptr<ContourBounds> bounds = nullptr);
   ~ContourCertifier() override;
@@ -92,25 +90,25 @@ public:
   [[nodiscard]] SampleNeeds Needs() const override;
   void Begin(int width, int height) override;
   void Process(TileVisit& tile) override;
-  /// Tiles in which their part of ContourMethod::work ran out get what others left.
+  /// Second and third pass: tiles that exhausted their part of ContourMethod::work share the
+  /// remaining work.
   [[nodiscard]] FrameModule* Rest() override;
 
-  /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
+  /// ContourVerdict of each pixel of the last frame, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  /// Whether all corners of a pixel have one value, up to rounding, so that there is no telling
-  /// where a line goes.
+  /// All corners of the pixel have one value up to rounding, so the place of a line is undefined.
   [[nodiscard]] bool IsOnPlateau(std::size_t pixel) const { return OnPlateau[pixel] != 0; }
-  /// Whether some of these pixels, or of those about them, are not Out.
+  /// One of these pixels, or of those around them, is not Out. Exact up to squares of kTileSize.
   [[nodiscard]] bool HasLinesNear(const TileArea& pixels) const;
-  /// In ascending order, each once.
+  /// Per layer, in ascending order, without duplicates.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:
   class Remainder final : public FrameModule
   {
   public:
-    /// After the pass of this number.
+    /// Runs after the pass with this number.
     Remainder(ContourCertifier& of, std::size_t pass, FrameModule* next)
       : Of(of)
       , Pass(pass)
@@ -127,44 +125,45 @@ private:
     std::size_t Pass;
     FrameModule* Next;
   };
-  /// A tile, as far as it is judged.
+  /// State of a classified tile.
   struct ClassifiedTile
   {
     TileArea area{};
     ContourCounters counters;
-    std::vector<EdgeWork> works; ///< of its layers with lines
-    std::int64_t spent = 0;      ///< the last time
+    std::vector<EdgeWork> works; ///< of its layers with iso-values
+    std::int64_t spent = 0;      ///< in the last pass
   };
-  /// All tiles once, or those of the pass before in which it ran out.
+  /// The first pass visits all tiles. Each later pass visits the tiles that exhausted their work in
+  /// the pass before.
   struct Pass
   {
     std::int64_t spent = 0;
-    std::vector<ClassifiedTile> left; ///< in which it ran out; complete when the next pass begins
+    /// Tiles with exhausted work; complete when the next pass begins.
+    std::vector<ClassifiedTile> left;
   };
   static constexpr std::size_t kPasses = 3;
 
-  /// The project's own, with so much to spend; keeps the verdicts. A tile that was judged before
-  /// goes on where it ended.
+  /// The layer has iso-values and a field.
   [[nodiscard]] bool HasLines(const Scene& scene, std::size_t layer) const;
-  /// What may be spent on a frame.
+  /// Work budget of a frame, in nanoseconds.
   [[nodiscard]] double WorkOf(const Scene& scene) const;
   void Classify(TileVisit& tile, std::int64_t most, ClassifiedTile& classified);
   void ProcessAgain(TileVisit& tile, std::size_t pass);
-  /// After a pass.
+  /// Records a tile after a pass.
   void Take(ClassifiedTile classified, std::size_t pass);
   [[nodiscard]] std::vector<ContourVerdict> VerdictsOf(const TileArea& area) const;
   void Count(const ContourCounters& counters);
-  /// Verdicts of an area's pixels, row by row.
+  /// Stores the verdicts of an area's pixels, row by row, and counts them.
   void Keep(
     const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters);
-  /// Which of an area's pixels are on a plateau, row by row.
+  /// Stores which of an area's pixels lie on a plateau, row by row.
   void KeepPlateaus(const TileArea& area, std::span<const std::uint8_t> onPlateau);
   [[nodiscard]] std::size_t PixelAt(int x, int y) const
   {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
       static_cast<std::size_t>(x);
   }
-  /// Of the square in column `x` and row `y`, its place in Marked.
+  /// Index in Marked of the square in column `x` and row `y`.
   [[nodiscard]] std::size_t SquareAt(int x, int y) const
   {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(Across) +
@@ -178,8 +177,8 @@ private:
   std::vector<std::uint8_t> Pixels;
   std::vector<std::uint8_t> OnPlateau;
   int Width = 0;
-  int Across = 0;                   ///< of squares of kTileSize pixels
-  std::vector<std::uint8_t> Marked; ///< those with a pixel that is not Out
+  int Across = 0;                   ///< columns of squares with sides of kTileSize pixels
+  std::vector<std::uint8_t> Marked; ///< 1: the square has a pixel that is not Out
   Remainder Last{ *this, 1, nullptr };
   Remainder Again{ *this, 0, &Last };
   std::mutex CountersMutex;

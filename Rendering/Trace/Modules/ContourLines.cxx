@@ -17,7 +17,7 @@ namespace pixelexact
 {
 namespace
 {
-/// From a pixel's centre to its corners, in pixels, and a little more.
+/// Distance from a pixel's centre to its corners, in pixels, rounded up.
 constexpr double kHalfDiagonal = 0.7072;
 /// Less than half a step of a colour channel.
 constexpr double kUnseen = 1.0 / 512.0;
@@ -36,7 +36,7 @@ TileArea Widened(const TileArea& area, int by, int width, int height)
     std::min(height, area.y1 + by) };
 }
 
-/// Pixels on which lines in a tile may depend.
+/// The pixels that lines in a tile may depend on.
 struct NearPixels
 {
   TileArea about;
@@ -49,7 +49,7 @@ struct NearPixels
   }
 };
 
-/// A colour over another, both of straight alpha.
+/// Blends a colour over another; both have straight alpha.
 void PutOver(const Rgba& color, double share, std::uint8_t* to)
 {
   const double part = share * color[3] / 255.0;
@@ -100,7 +100,7 @@ std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map)
 class ContourLines::Tile
 {
 public:
-  /// `corners`: of the pixels that are near.
+  /// `corners`: of the pixels in `near`.
   Tile(const ContourLines& lines, TileVisit& visit, const NearPixels& near,
     const LatticePart& corners, ContourCells& cells)
     : Lines(lines)
@@ -113,7 +113,7 @@ public:
     Cells.Begin(Corners, near.about, lines.Style.curved ? &visit.GetCamera() : nullptr);
   }
 
-  /// On pixels of 4 bytes each.
+  /// Draws on pixels of 4 bytes each.
   void Draw(std::vector<std::uint8_t>& pixels)
   {
     Target = pixels.data();
@@ -132,8 +132,8 @@ public:
   }
 
 private:
-  /// The layer whose contours a pixel shows: that of its centre or, `atCorners`, else of a corner,
-  /// if it has any; kNoLayer: none.
+  /// The layer whose contours a pixel shows: that of its centre or else, with `atCorners`, of its
+  /// first corner with a layer; kNoLayer: none.
   [[nodiscard]] std::uint8_t LayerAt(int x, int y, std::size_t pixel, bool atCorners) const
   {
     std::uint8_t layer = LayerOf(Image.centres, pixel);
@@ -144,7 +144,8 @@ private:
     return layer;
   }
 
-  /// That a sample shows, if it is exact and has contours.
+  /// The layer that a sample shows, if the sample is exact and the layer has iso-values; else
+  /// kNoLayer.
   [[nodiscard]] std::uint8_t LayerOf(const SampleBuffers& samples, std::size_t i) const
   {
     if (samples.verdict[i] != static_cast<std::uint8_t>(PixelVerdict::Exact))
@@ -155,7 +156,7 @@ private:
     return Lines.Certifier.Values()[layer].empty() ? kNoLayer : layer;
   }
 
-  /// The value that is nearest to those at the corners that show the layer.
+  /// The iso-value nearest to the mean of the values at corners that show the layer.
   [[nodiscard]] std::size_t NearestAt(
     int x, int y, std::uint8_t layer, std::span<const double> values) const
   {
@@ -196,7 +197,7 @@ private:
       return;
     }
     const std::span<const double> values = Lines.Certifier.Values()[layer];
-    // On a plateau lines would follow the rounding.
+    // On a plateau, lines would follow rounding errors.
     const bool isTold = Cells.LayerOf(x, y) == layer && !Lines.Certifier.IsOnPlateau(pixel);
     const double drawn = isTold ? DrawLines(x, y, layer, range, color) : 0.0;
     if (held && drawn < kMinShare)
@@ -206,7 +207,7 @@ private:
     }
   }
 
-  /// The part of a whole pixel that is covered.
+  /// Draws lines on a whole pixel. Returns the covered part of the pixel.
   double DrawLines(
     int x, int y, std::uint8_t layer, const std::array<double, 2>& range, std::uint8_t* color)
   {
@@ -274,7 +275,7 @@ SampleNeeds ContourLines::Needs() const
   return { .centres = Buffer::Verdict | (Colors.size() > 1 ? Buffer::Layer : Buffer::None),
     .corners =
       Buffer::Value | Buffer::Verdict | Buffer::Layer | (Style.curved ? kSheets : Buffer::None),
-    // A line in a pixel follows from the verdicts about it.
+    // A line in a pixel depends on the verdicts around it.
     .wholeFrame = true };
 }
 

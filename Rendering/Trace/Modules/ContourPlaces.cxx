@@ -19,10 +19,10 @@ namespace
 constexpr double kBent = 0.15;
 constexpr double kBorder = 4.0;
 constexpr double kApart = 0.3;
-/// Pixels between places that are tried, and along a contour between points.
+/// Pixels between candidate places, and between points along a contour.
 constexpr int kTried = 3;
 constexpr double kStep = 2.0;
-/// How far the next point of a contour may be off its tangent, in pixels.
+/// Largest distance, in pixels, of a contour's next point from its tangent.
 constexpr int kReach = 2;
 
 struct Candidate
@@ -43,7 +43,7 @@ public:
   {
     const SampleBuffers& centres = frame.centres;
     const bool sheets = !centres.position.empty() && !centres.normal.empty();
-    // Of the squares between pixels' centres.
+    // The cells are the squares between pixels' centres.
     Cells.Begin(
       { centres }, { 0, 0, frame.width - 1, frame.height - 1 }, sheets ? &camera : nullptr);
   }
@@ -95,7 +95,7 @@ private:
                 : std::nullopt;
   }
 
-  /// Whether no other contour is as near as half the text's height.
+  /// No other contour lies within half the text's height.
   [[nodiscard]] bool IsAlone(const Point& point, std::uint8_t layer, double height) const
   {
     const glm::dvec2 side = (0.5 * height + 1.0) * point.across;
@@ -117,7 +117,7 @@ private:
     const double wanted = Contours.Values()[layer][value];
     const LabelSize& size = Sizes[layer][value];
     const auto middle = Project(near, wanted);
-    // Of pixels whose middles these are.
+    // Cells' corners are pixels' centres.
     if (!middle || glm::distance(middle->at, near) > kTried || !HasLines(middle->at) ||
       !IsAlone(*middle, layer, size.height))
     {
@@ -140,7 +140,7 @@ private:
         last = *next;
         points.push_back(last.at);
       }
-      // The second end is told from the first.
+      // The second end starts again from the first end.
       if (sense > 0.0)
       {
         std::swap(points.front(), points.back());
@@ -149,7 +149,7 @@ private:
     return Classify({ .layer = layer, .value = value }, size, points);
   }
 
-  /// Whether a pixel has lines: not where it is proven to have none.
+  /// The pixel is not proven to have no line.
   [[nodiscard]] bool HasLines(const glm::dvec2& at) const
   {
     const auto pixel =
@@ -159,7 +159,7 @@ private:
     return verdict == ContourVerdict::In || (OnUndecided && verdict == ContourVerdict::Undecided);
   }
 
-  /// `points`: the first and the last one are a contour's ends.
+  /// `points`: along a contour, from one end to the other.
   [[nodiscard]] std::optional<Candidate> Classify(
     ContourPlace place, const LabelSize& size, std::span<const glm::dvec2> points) const
   {
@@ -178,7 +178,7 @@ private:
     {
       return std::nullopt;
     }
-    // Middles of pixels are half a pixel from their corners.
+    // Cells' coordinates are half a pixel less than the image's.
     const glm::dvec2 chord = 0.5 * (points.front() + points.back());
     place.centre = chord + 0.5 * (lowest + highest) * up + 0.5;
     place.angle = std::atan2(along.y, along.x) * 180.0 / std::numbers::pi;

@@ -12,30 +12,31 @@
 
 namespace pixelexact
 {
-/// Of a text, in pixels.
+/// Size of a text, in pixels.
 struct LabelSize
 {
   double width = 0.0;
   double height = 0.0;
 };
 
-/// Where a contour's label goes.
+/// Place of a contour's label.
 struct ContourPlace
 {
   std::size_t layer = 0;
-  std::size_t value = 0; ///< its number, in ascending order
+  std::size_t value = 0; ///< number of the iso-value, in ascending order
   glm::dvec2 centre{};   ///< in the image, in pixels
-  double angle = 0.0;    ///< of the text, anticlockwise from across, -90 to 90 degrees
+  double angle = 0.0;    ///< of the text, anticlockwise from horizontal, -90 to 90 degrees
 };
 
-/// Places on a frame's contours for labels: where the contour is straight along the text, to
-/// kBent of its height, no other contour comes as near as half its height, and the text is kBorder
-/// pixels within the image; straightest first, and apart: two texts do not touch, and those of one
-/// value are kApart of the image's shorter side from each other. A contour may have none.
+/// Finds places for labels on a frame's contours. At a place, the contour deviates from a straight
+/// line by at most kBent of the text's height. No other contour is within half the text's height.
+/// The text lies at least kBorder pixels inside the image. Straighter places precede others. Texts
+/// do not touch each other, and those of one value are kApart of the image's shorter side apart. A
+/// contour may get no place.
 ///
-/// Reads Value, Verdict and Layer of the frame's centres and, to tell sheets of curved surfaces
-/// apart, Position and Normal where there are any. `sizes`: by layer and value. `undecided`:
-/// whether there are lines in undecided pixels, too.
+/// Reads Value, Verdict and Layer of the frame's centres. Reads Position and Normal, if the frame
+/// has them, to separate the sheets of curved surfaces. `sizes`: by layer and value. `undecided`:
+/// Undecided pixels have lines.
 [[nodiscard]] std::vector<ContourPlace> PlaceLabels(const Frame& frame, const Camera& camera,
   const ContourCertifier& contours, const std::vector<std::vector<LabelSize>>& sizes,
   bool undecided);

@@ -16,10 +16,10 @@ namespace pixelexact
 namespace
 {
 constexpr int kBisections = 45;
-/// Pairs that are located together.
+/// Largest count of pairs that are located together.
 constexpr std::size_t kPairsTogether = 256;
-/// By which part of its length a segment is moved into the mesh, where the surface is the mesh's
-/// own and the mesh is hollow there.
+/// Part of its length by which a segment is moved into the mesh, if the surface is the mesh's
+/// boundary and the mesh is concave there.
 constexpr double kIntoMesh = 1.0 / 16.0;
 
 /// A place in an element.
@@ -51,7 +51,7 @@ bool IsTangent(const Vec3& chord, const Vec3& normal)
   return std::fabs(glm::dot(chord, normal)) <= CutJumps::kSteepest * glm::length(chord);
 }
 
-/// Whether the two pixels are neighbours on a surface, in different elements.
+/// The two pixels are neighbours on one surface, in different elements.
 bool AreBetweenElements(const SampleBuffers& samples, std::size_t i, std::size_t j)
 {
   if (samples.verdict[i] != kExactPixel || samples.verdict[j] != kExactPixel ||

@@ -22,32 +22,32 @@ struct CutJump
 /// The jumps of a frame, by pairs of neighbouring pixels whose elements differ.
 struct CutJumps
 {
-  /// Up to which part of the layer's largest value seen a jump is rounding, and counts as 0.
+  /// Jumps up to this part of the layer's largest visible value count as rounding, that is, as 0.
   static constexpr double kRounding = 1e-12;
-  /// Sine of the angle between the segment of two hits and the surface at one of them, beyond which
-  /// the hits lie on different parts of the surface.
+  /// Largest sine of the angle between the segment of two hits and the surface at either hit.
+  /// Steeper segments connect different parts of the surface.
   static constexpr double kSteepest = 0.5;
 
   std::int64_t jumping = 0;
   std::int64_t continuous = 0;
   std::int64_t notFinite = 0;
-  std::int64_t notFound = 0;      ///< without a common face on the way from one pixel to the other
+  std::int64_t notFound = 0;      ///< no common face between the two pixels was found
   std::optional<CutJump> largest; ///< none: no pair jumps
 };
 
-/// What a frame's centres must hold for FindCutJumps.
+/// The buffers of a frame's centres that FindCutJumps reads.
 [[nodiscard]] constexpr Buffer NeedsOfCutJumps()
 {
   return Buffer::Jump | Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
     Buffer::Element | Buffer::Verdict | Buffer::Layer;
 }
 
-/// Writes the buffer of jumps: at each pixel the larger of the jumps between it and its right and
-/// upper neighbours, where both are on the same layer and in different elements; NaN where there is
-/// none. The place of a jump is where the segment between the two hits leaves the pixel's element,
-/// by bisection to 2^-45 of its length. Of a curved surface that is a point of the chord, off the
-/// surface by its sagitta.
+/// Writes the buffer of jumps. A pixel gets the larger of the jumps to its right and upper
+/// neighbours, if they are on the same layer and in other elements; otherwise NaN. A jump is
+/// evaluated where the segment between the two hits leaves the pixel's element, found by bisection
+/// to 2^-45 of its length. On a curved surface this point lies on the chord, off the surface by at
+/// most the sagitta.
 ///
-/// In parallel; the same for any number of threads. All layers must have fields.
+/// Parallel; the result does not depend on the number of threads. All layers must have fields.
 CutJumps FindCutJumps(const Scene& scene, SampleBuffers& samples);
 } // namespace pixelexact

@@ -63,7 +63,7 @@ constexpr ColorMeaning kJumps[] = {
   { "the largest jump", "dark purple", { 75, 0, 80, 255 } },
 };
 
-/// Asks `colorAt` for the colour of each sample; null leaves it transparent.
+/// Colours each sample by `colorAt`; null leaves it transparent.
 template <class ColorAt>
 void PaintEach(SampleBuffers& samples, std::size_t begin, std::size_t end, const ColorAt& colorAt)
 {
@@ -148,7 +148,7 @@ Rgba JumpColors::ColorOf(double jump) const
   {
     return kJumps[std::isnan(jump) ? kNoFace : kContinuous].color;
   }
-  // By way of vermilion, so that the middle of the range stands apart from both ends.
+  // The ramp passes vermilion, so that its middle differs from both ends.
   const std::array<Rgba, 3> ramp{ kJumps[kSmallJump].color, Rgba{ 213, 60, 0, 255 },
     kJumps[kLargestJump].color };
   const double part = 2.0 * std::min(jump / Largest, 1.0);

@@ -7,11 +7,11 @@
 #include <span>
 #include <string_view>
 
-// Pictures of the mesh's and the answers' soundness in the place of the field's. Fixed colours that
-// stay apart for the colour-blind (M. Okabe, K. Ito, Color Universal Design, 2008).
+// Pictures of the mesh's validity and of the results' reliability in place of the field. The fixed
+// colours differ for colour-blind readers (M. Okabe, K. Ito, Color Universal Design, 2008).
 namespace pixelexact
 {
-/// What a colour stands for.
+/// Legend entry of a colour.
 struct ColorMeaning
 {
   std::string_view meaning;
@@ -19,7 +19,7 @@ struct ColorMeaning
   Rgba color;
 };
 
-/// Each sample by how often the mesh covers the point seen: no element, once, twice, more often,
+/// Colours each sample by the number of elements that contain its point: none, one, two, more,
 /// undecided. Samples without a hit within the mesh's bounds stay transparent.
 class CoverageColors final : public SampleColors
 {
@@ -29,13 +29,13 @@ public:
   void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
 };
 
-/// Each sample by its element's verdict: valid, inverted, undecided; Unknown ones as in
+/// Colours each sample by its element's verdict: valid, inverted, undecided; Unknown samples as in
 /// ColorMapping.
 class ValidityColors final : public SampleColors
 {
 public:
   static std::span<const ColorMeaning> Legend();
-  /// One verdict per element of the mesh; those of elements that are not seen do not matter.
+  /// One verdict per element of the mesh; verdicts of invisible elements are not read.
   explicit ValidityColors(std::vector<Validity> verdicts);
   [[nodiscard]] Buffer Needs() const override;
   void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
@@ -44,14 +44,14 @@ private:
   std::vector<Validity> Verdicts;
 };
 
-/// Each sample by the jump between its element and the next ones (FindCutJumps): pale grey where
-/// there is no element's face, light blue where the values are continuous, else from yellow for
-/// small jumps to dark purple for the largest; Unknown ones as in ColorMapping.
+/// Colours each sample by the jump between its element and neighbours (FindCutJumps): pale grey off
+/// elements' faces, light blue where values are continuous, else from yellow for small jumps to
+/// dark purple for the largest; Unknown samples as in ColorMapping.
 class JumpColors final : public SampleColors
 {
 public:
   static std::span<const ColorMeaning> Legend();
-  /// `largest`: the jump with the last colour.
+  /// `largest`: the jump that gets the last colour.
   explicit JumpColors(double largest)
     : Largest(largest)
   {
@@ -65,23 +65,22 @@ private:
   double Largest;
 };
 
-/// Paints over samples that have their colours: exact ones whose enclosure does not decide their
-/// colour, that is, whose value and both ends the layer's map does not give one and the same. Maps
-/// must lead growing values through colours without coming back to one. Values that are no finite
-/// numbers are left as they are. Belongs after lights.
+/// Paints over exact samples whose colour their enclosure does not prove: the layer's map gives the
+/// value and both ends of the enclosure more than one colour. Along growing values, maps must not
+/// return to an earlier colour. Values that are not finite are not painted. Belongs after lights.
 class UndecidedColors final : public SampleColors
 {
 public:
-  /// `maps`: by layer, as many as the scene has, or one for all.
+  /// `maps`: by layer, one for each layer of the scene, or one for all.
   UndecidedColors(std::vector<ColorMap> maps, const Rgba& color);
   [[nodiscard]] Buffer Needs() const override;
   void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
 
-  /// How many of the samples were painted.
+  /// Count of painted samples.
   [[nodiscard]] std::int64_t Count(const SampleBuffers& samples) const;
 
 private:
-  /// visit(i) for each sample of [begin, end) whose colour is not decided.
+  /// Calls visit(i) for each sample of [begin, end) whose colour is not proven.
   template <class Visit>
   void Find(
     const SampleBuffers& samples, std::size_t begin, std::size_t end, const Visit& visit) const;

@@ -16,20 +16,20 @@ namespace pixelexact
 {
 namespace
 {
-/// From a pixel's centre to its corners, in pixels.
+/// Distance from a pixel's centre to its corners, in pixels.
 constexpr double kCentreToCorner = 0.71;
 
-/// Later ones on top.
+/// Kinds in the order of drawing; later ones are on top.
 constexpr std::array kOrder{ FaceKind::Interior, FaceKind::Partly, FaceKind::Hanging,
   FaceKind::Boundary };
 
 using Shares = std::array<double, kOrder.size()>; ///< of a pixel, by FaceKind
 
-/// Of a pixel with a line: inside of the mesh alone, or on both sides of the face.
+/// The part of a pixel that a line covers: on the inner side of the face, or on both sides.
 double ShareOf(const FaceLine& line, double width, bool inside)
 {
   const auto behind = [&line](double to) { return ShareBehind(line.towards, to); };
-  // What of a pixel is beyond the boundary is drawn, as the surface is: by its centre.
+  // A pixel outside the boundary is drawn if its centre shows the surface.
   return inside ? 1.0 - behind(line.distance - width)
                 : behind(line.distance + 0.5 * width) - behind(line.distance - 0.5 * width);
 }
@@ -108,7 +108,7 @@ void ElementEdges::Process(TileVisit& tile)
     {
       const FaceLine& line = lines[end];
       const FaceKind kind = kindOf(line.element, line.face);
-      // A surface along the boundary only turns there.
+      // The surface does not leave the mesh where it lies on another boundary face.
       const bool leaves = kind == FaceKind::Boundary &&
         (line.lyingOn < 0 || kindOf(line.element, line.lyingOn) != FaceKind::Boundary);
       double& share = shares[static_cast<std::size_t>(kind)];

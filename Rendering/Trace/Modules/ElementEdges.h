@@ -10,42 +10,41 @@
 
 namespace pixelexact
 {
-/// How the lines between elements look.
+/// Appearance of the lines between elements.
 struct EdgeStyle
 {
   static constexpr double kNarrowest = 0.1;
   static constexpr double kWidest = 32.0;
 
   double width = 1.5; ///< in pixels, kNarrowest to kWidest
-  /// By FaceKind; where kinds are not told, that of Interior. Alpha is the line's opacity.
+  /// By FaceKind; without kinds, all faces are Interior. Alpha is the line's opacity.
   std::array<Rgba, 4> colors{ Rgba{ 0, 0, 0, 255 }, Rgba{ 0, 0, 0, 255 }, Rgba{ 0, 0, 0, 255 },
     Rgba{ 0, 0, 0, 255 } };
 
-  /// All kinds alike.
+  /// One style for all kinds.
   static EdgeStyle Plain(double width, const Rgba& color);
-  /// Interior faces black, the mesh's boundary blue, hanging faces orange, what is partly covered
-  /// purple: colours that the colour-blind tell apart.
+  /// Interior faces are black, the mesh's boundary blue, hanging faces orange, partly covered faces
+  /// purple. Colour-blind readers can distinguish these colours.
   static EdgeStyle ByKind(double width);
 
   bool operator==(const EdgeStyle&) const = default;
 };
 
-/// What lies behind a face of an element; called from several threads at once.
+/// The kind of an element's face; called from several threads at once.
 using KindOfFace = std::function<FaceKind(int element, int face)>;
 
-/// Draws the lines along which the surface that is shown crosses from one element into another, of
-/// a width in pixels, each pixel by the part of it that the line covers (FaceLines has the places).
-/// Lines are half on one side of the face and half on the other; at the mesh's boundary, where
-/// kinds are told and the surface leaves the mesh there, all of the line is inside. There is no
-/// line where the surface ends within an element or another layer begins, and none along a face on
-/// which the surface lies. Of translucent layers the nearest sheet counts. A pixel keeps its
-/// opacity.
+/// Draws the lines along which the visible surface crosses from one element into another (FaceLines
+/// finds them). Lines have a width in pixels; a pixel is painted in proportion to the area that the
+/// line covers. Each side of the face gets half of a line's width. If kinds are given and the
+/// surface leaves the mesh at its boundary, all of the line is inside. There is no line where the
+/// surface ends inside an element, where another layer begins, or along a face on which the surface
+/// lies. Of translucent layers the nearest sheet counts. A pixel keeps its opacity.
 ///
-/// Lines fade where an element is less than kFullSize line widths across, and are gone at one
-/// width: many small elements would else be one dark patch.
+/// Lines fade where an element is less than kFullSize line widths across, and vanish at one width,
+/// so that many small elements do not merge into a dark patch.
 ///
-/// The frame's image alone changes; without colours it does nothing. It asks for no samples, but
-/// for the scene. Belongs after Antialiasing, which would paint over the lines.
+/// Changes only the frame's image; without colours it does nothing. Requests no samples, but traces
+/// the scene. Belongs after Antialiasing, which would paint over the lines.
 class ElementEdges final : public FrameModule
 {
 public:

@@ -10,7 +10,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What is seen at a sample; of no element where that is not Exact.
+/// Element and layer of a sample; -1 and kNoLayer if it is not Exact.
 struct Seen
 {
   std::int64_t element = -1;

@@ -6,10 +6,10 @@
 
 namespace pixelexact
 {
-/// Paints the pixels in which elements, or layers, meet: those whose centre and corners are all
-/// Exact, and not all of one element and layer. So what is shown has no outline where it ends. Of
-/// translucent layers the nearest sheet counts. The frame's image alone changes; without colours it
-/// does nothing. Belongs after Antialiasing, which would smooth the lines away.
+/// Paints the pixels at which elements or layers meet: centre and corners are all Exact, but not
+/// all of one element and layer. So the surface's end has no outline. Of translucent layers the
+/// nearest sheet counts. Changes only the frame's image; without colours it does nothing. Belongs
+/// after Antialiasing, which would smooth the lines.
 class ElementOutlines final : public FrameModule
 {
 public:

@@ -30,7 +30,7 @@ void FindNear(const CameraRays& camera, const FaceReach& reach, const FacePixels
     const LanePoint along = directions.At(u, v);
     const Lanes t = Dot(from, along) / Dot(along, along);
     const Lanes facing = Dot(normal, along);
-    // How the surface's point moves as the ray goes a pixel, times `facing`.
+    // Movement of the surface's point as the ray moves by a pixel, times `facing`.
     const auto moves = [&](const Vec3& origin, const Vec3& direction, double pixel)
                          PIXELEXACT_INLINED
     {
@@ -47,7 +47,7 @@ void FindNear(const CameraRays& camera, const FaceReach& reach, const FacePixels
         columns[d].x[c] = Traits::Load(jacobian[3 * c + d] + i);
       }
     }
-    // The inverse's rows, times the determinant.
+    // Rows of the inverse, times the determinant.
     const LanePoint rows[3] = { Cross(columns[1], columns[2]), Cross(columns[2], columns[0]),
       Cross(columns[0], columns[1]) };
     const auto times = [&rows](const LanePoint& by) PIXELEXACT_INLINED {

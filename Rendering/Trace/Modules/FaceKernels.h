@@ -11,12 +11,12 @@
 
 namespace pixelexact
 {
-/// How far faces count.
+/// Faces of an element, and the distance within which they count.
 struct FaceReach
 {
   std::span<const FacePlane> faces;
   double size = 1.0;   ///< of the element
-  double across = 0.0; ///< of (u, v), a pixel
+  double across = 0.0; ///< step of (u, v) per pixel
   double up = 0.0;
   double reach = 0.0; ///< in pixels
 };
@@ -24,8 +24,8 @@ struct FaceReach
 /// In lanes, dispatched at run time to the instruction set.
 struct FaceKernels
 {
-  /// near[i] = 1 where a face may be nearer than the reach, to first order, else 0: also where
-  /// something is not finite. `jacobian`: nine columns, row by row.
+  /// Sets near[i] to 1 if a face may be nearer than the reach to first order, or if a number is not
+  /// finite; else to 0. `jacobian`: nine columns, row-major.
   void (*findNear)(const CameraRays& camera, const FaceReach& reach, const FacePixels& pixels,
     const std::array<const double*, 9>& jacobian, std::uint8_t* near);
 };

@@ -48,12 +48,12 @@ void FacePixels::Add(double u, double v, const Vec3& xi, const Vec3& position, c
 
 namespace
 {
-/// Distance of xi up to which a point is on a face.
+/// Largest distance in xi of a point that lies on a face.
 constexpr double kOnFace = 1e-6;
-/// By more than rounding: what is decided in lanes is decided once more.
+/// Exceeds the rounding of lanes; the exact test follows.
 constexpr double kWider = 1.0 + 1e-9;
 
-/// How the surface's point moves as the ray goes a pixel across, and up, times `facing`.
+/// Movement of the surface's point as the ray moves by a pixel across and up, times `facing`.
 struct Spread
 {
   Vec3 across;
@@ -76,12 +76,12 @@ Spread SpreadAt(const Camera& camera, const ImagePosition& at, const Vec3& x, co
     onPlane((origin.v + t * direction.v) * (2.0 / camera.Height())), facing };
 }
 
-/// Whether all faces are farther than `reach` pixels, to first order. Without a division, for most
-/// pixels are; where something is not finite they are not.
+/// All faces are farther than `reach` pixels, to first order. Avoids divisions, because this holds
+/// for most pixels. False if a number is not finite.
 bool AreFar(std::span<const FacePlane> faces, const Vec3& xi, const Mat3& jacobian, double size,
   const Spread& spread, double reach)
 {
-  // The inverse, times the determinant.
+  // Rows of the inverse, times the determinant.
   const Vec3 row0 = glm::cross(jacobian[1], jacobian[2]);
   const Vec3 row1 = glm::cross(jacobian[2], jacobian[0]);
   const Vec3 row2 = glm::cross(jacobian[0], jacobian[1]);
@@ -241,7 +241,7 @@ void FaceLines::Begin(TileVisit& tile, std::span<const Run> runs, double reach)
         const glm::dvec2 gradient{ glm::dot(face.gradient, across), glm::dot(face.gradient, up) };
         const double slope = glm::length(gradient);
         const double distance = face.Distance(Xi[at]);
-        // Not where something is not finite either: where the map collapses.
+        // Numbers are not finite where the map collapses.
         if (!(distance < FaceSearch::kSlack * reach * slope) || !std::isfinite(slope) ||
           LiesOn(face, inverse, normal))
         {

@@ -11,11 +11,11 @@
 
 namespace pixelexact
 {
-/// Pixels that show one element, number by number.
+/// The pixels that show one element, as a structure of arrays.
 class FacePixels
 {
 public:
-  /// Room for so many; what was there is gone.
+  /// Clears the object and reserves capacity for `most` pixels.
   void Begin(std::size_t most);
   void Add(double u, double v, const Vec3& xi, const Vec3& position, const Vec3& normal);
 
@@ -34,26 +34,26 @@ class TileVisit;
 
 /// Finds the lines of a tile's pixels. Keeps its arrays from tile to tile.
 ///
-/// To first order a face is as far as its distance in xi over the gradient of this on the image,
-/// which follows from the Jacobian, the surface's tangent plane and how rays spread. Lines that may
-/// be within reach are then looked for on the surface itself: the ray through the place where one
-/// is expected meets the surface, the element's map is inverted there, and so on until the place
-/// settles. So it does not matter how surface and element bend on the way; and where the surface
-/// ends on the way, there is no line.
+/// To first order, the distance of a face is its distance in xi over the gradient of that distance
+/// on the image. The gradient follows from the Jacobian, the surface's tangent plane and the spread
+/// of rays. Lines that may be within reach are then searched on the surface itself. The ray through
+/// the expected place meets the surface, and the element's map is inverted there, until the place
+/// settles. So the curvature of surface and element causes no error. Where the surface ends before
+/// the line, there is no line.
 class FaceLines
 {
 public:
-  /// Sine of the angle between surface and face up to which the surface lies on the face: where it
-  /// crosses it, if it does, is not drawn.
+  /// Largest sine of the angle between surface and face at which the surface lies on the face. No
+  /// line is drawn there.
   static constexpr double kLyingOn = 1e-6;
 
-  /// Those nearer than `reach` pixels, pixel by pixel; valid until the next call. Reads Verdict,
-  /// Element, Xi, Position, Normal and Layer of the nearest sheet. Throws Error where nothing can
-  /// be traced.
+  /// Lines nearer than `reach` pixels, pixel by pixel; valid until the next call. Reads Verdict,
+  /// Element, Xi, Position, Normal and Layer of the nearest sheet. Throws Error if nothing can be
+  /// traced.
   [[nodiscard]] std::span<const FaceLine> Find(TileVisit& tile, double reach);
 
 private:
-  /// Pixels side by side that show the same element and layer.
+  /// Neighbouring pixels of a row that show the same element and layer.
   struct Run
   {
     int element = -1;

@@ -15,13 +15,13 @@ namespace pixelexact
 {
 namespace
 {
-/// Steps of a search, those halved where the surface ends among them.
+/// Largest count of steps, including bisections at the end of the surface.
 constexpr int kMaxSteps = 8;
-/// A search that has not settled is taken where it last moved by no more, in pixels.
+/// Largest last change, in pixels, of an unfinished search that still counts as found.
 constexpr double kNearlySettled = 0.05;
 constexpr int kNewtonSteps = 2;
 
-/// Of the ray's hits the nearest to a place.
+/// The ray's hit that is nearest to a place.
 std::optional<Vec3> NearestHit(const HitSlots& hits, int ray, const Vec3& place)
 {
   std::optional<Vec3> nearest;
@@ -42,7 +42,7 @@ std::optional<Vec3> NearestHit(const HitSlots& hits, int ray, const Vec3& place)
 
 using Open = std::vector<FaceSearch*>;
 
-/// Where searches of one layer look for the surface next.
+/// Meets the surface at the next places of one layer's searches.
 void Meet(const Open& open, const TileVisit& tile, int layer, std::vector<HitSlots>& hits)
 {
   std::vector<ImagePosition> positions;
@@ -50,19 +50,20 @@ void Meet(const Open& open, const TileVisit& tile, int layer, std::vector<HitSlo
   {
     positions.push_back(search->Place());
   }
-  // Without the mesh's box: beyond its boundary there are lines to be found, too.
+  // The scene has no locator, so rays are not clipped to the mesh's box. Lines outside it are
+  // found.
   Scene alone;
   alone.layers = { tile.GetScene().layers[static_cast<std::size_t>(layer)] };
-  // All hits: another sheet may be in front of the one that the line is on, and what lies behind
-  // the nearest hit is told or not as it happens to be found.
+  // All hits are needed: another sheet may be in front of the one with the line, and a surface may
+  // omit hits after the nearest one.
   alone.layers.front().translucent = true;
   const CheckedOut<TileSamples> rays;
   (*rays).Begin(tile.GetCamera(), positions);
   (*rays).Meet(tile.GetCamera(), alone, hits);
 }
 
-/// The xi that are `moved`, to first order, from those of the searches' pixels: by Newton's steps
-/// with the pixel's Jacobian, each of which adds as many digits as the map is straight.
+/// The xi that map to `moved`, to first order, from the xi of the searches' pixels. Newton's steps
+/// use the pixel's Jacobian; the less the map curves, the more digits each step adds.
 std::vector<Vec3> Invert(const Open& open, const Mesh& mesh, std::span<const Vec3> moved)
 {
   std::vector<Vec3> xi(open.size());
@@ -90,7 +91,7 @@ std::vector<Vec3> Invert(const Open& open, const Mesh& mesh, std::span<const Vec
   return xi;
 }
 
-/// One step of the open searches of a layer.
+/// Takes one step of a layer's open searches.
 void StepOn(std::span<FaceSearch> searches, const TileVisit& tile, int layer, double reach)
 {
   Open open;
@@ -128,7 +129,7 @@ void StepOn(std::span<FaceSearch> searches, const TileVisit& tile, int layer, do
     FaceSearch& search = *open[i];
     if (met[i] == 0)
     {
-      // The surface ends on the way; a line may be nearer.
+      // The surface ends before the place; a line may be nearer.
       search.tried = 0.5 * (search.tried + search.reached);
       continue;
     }
@@ -148,8 +149,7 @@ void FaceSearch::Advance(double distance, double reach)
   }
   else if (reached == 0.0)
   {
-    // The parabola that has the pixel's slope; past its first root the surface leaves the face
-    // again.
+    // The parabola with the pixel's slope. After its first root the surface leaves the face again.
     const double bend = (distance - atPixel + slope * tried) / (tried * tried);
     const double under = slope * slope - 4.0 * bend * atPixel;
     goes = goes && under >= 0.0;
@@ -180,7 +180,7 @@ void Follow(std::span<FaceSearch> searches, const TileVisit& tile, double reach)
   }
   for (FaceSearch& search : searches)
   {
-    // What has not settled may be where the surface ends.
+    // An unfinished search may be close to the end of the surface.
     search.found =
       search.found || (search.open && std::fabs(search.root - search.reached) < kNearlySettled);
     search.line.distance = search.root;

@@ -14,7 +14,7 @@
 
 namespace pixelexact
 {
-/// Phi(xi), and its Jacobian where wanted, of some points of an element, in the element's units.
+/// Phi(xi), and its Jacobian if requested, at points of one element, in the element's units.
 class MappedPoints
 {
 public:
@@ -44,7 +44,7 @@ public:
   {
     return { Storage[i], Storage[Stride + i], Storage[2 * Stride + i] };
   }
-  /// Of the Jacobian, entry by entry, row by row.
+  /// The entries of the Jacobians, row-major; each array has one entry per point.
   [[nodiscard]] std::array<const double*, 9> Jacobians() const
   {
     std::array<const double*, 9> columns;
@@ -74,55 +74,54 @@ private:
 
 class TileVisit;
 
-/// Near a pixel, the line on the image along which the surface that it shows crosses a face of the
-/// pixel's own element.
+/// A line near a pixel, on which the pixel's surface crosses a face of the pixel's element.
 struct FaceLine
 {
   std::size_t pixel = 0; ///< of the frame
   int element = -1;
-  int face = 0;             ///< in the order of FacesOf
-  double distance = 0.0;    ///< of the pixel's centre, in pixels; below 0: just beyond the face
+  int face = 0;             ///< number in FacesOf
+  double distance = 0.0;    ///< of the pixel's centre, in pixels; below 0: beyond the face
   glm::dvec2 towards{};     ///< the unit vector from the pixel to the line, on the image
   double elementSize = 0.0; ///< of the element across the face, on the image, in pixels
   int lyingOn = -1;         ///< the face on which the surface lies there; -1: on none
 };
 
-/// A line that may be within reach of a pixel, and the way to it on the image. Distances of xi are
-/// those from the face's plane (FacePlane).
+/// The search of a line near a pixel, along a direction on the image. Distances of xi are from the
+/// face's plane (FacePlane).
 struct FaceSearch
 {
-  /// A search is worth while where the line is expected within so many times the reach.
+  /// Lines are searched if their expected distance is at most kSlack times the reach.
   static constexpr double kSlack = 1.5;
-  /// Pixels by which a line's place moves in the last step, at most.
+  /// Largest change of a line's distance in the last step, in pixels.
   static constexpr double kSettled = 0.02;
 
   FaceLine line;
   int layer = 0;
   ImagePosition from{};
   Vec3 position{ 0.0 };
-  Vec3 step{ 0.0 };       ///< on the tangent plane, a pixel towards the line
+  Vec3 step{ 0.0 };       ///< on the tangent plane, per pixel towards the line
   Vec3 xi{ 0.0 };         ///< at the pixel
   Vec3 mapped{ 0.0 };     ///< Phi(xi), in the element's units
   Mat3 inverse{};         ///< of the Jacobian there, in the element's units
   double atPixel = 0.0;   ///< distance of xi
-  double slope = 0.0;     ///< its fall, a pixel, to first order
-  double root = 0.0;      ///< pixels to where the line is expected
-  double tried = 0.0;     ///< pixels to where the surface is asked for next
-  double reached = 0.0;   ///< the last place where it was found
+  double slope = 0.0;     ///< decrease of that distance per pixel, to first order
+  double root = 0.0;      ///< expected distance of the line, in pixels
+  double tried = 0.0;     ///< distance of the next evaluation, in pixels
+  double reached = 0.0;   ///< distance of the last hit on the surface, in pixels
   double atReached = 0.0; ///< distance of xi there
   bool open = true;
   bool found = false;
 
-  /// Where the surface is asked for next.
+  /// Image position of the next evaluation.
   [[nodiscard]] ImagePosition Place() const
   {
     return { from[0] + tried * line.towards.x, from[1] + tried * line.towards.y };
   }
-  /// With the distance of xi where the surface was asked for.
+  /// Takes the distance of xi at Place() and sets the next place, or ends the search.
   void Advance(double distance, double reach);
 };
 
-/// Takes all searches to their end: on the surface itself, so that it does not matter how surface
-/// and element bend on the way. Sets `found` and the lines' distances.
+/// Completes all searches. Points are evaluated on the surface itself, so the curvature of surface
+/// and element causes no error. Sets `found` and the lines' distances.
 void Follow(std::span<FaceSearch> searches, const TileVisit& tile, double reach);
 } // namespace pixelexact

@@ -9,7 +9,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A matrix, its columns in lanes.
+/// A matrix, with its columns in lanes.
 struct Columns
 {
   LanePoint column[3];
@@ -24,7 +24,7 @@ struct Columns
   }
 };
 
-// In the order in which Lighting makes the sums of a sample alone.
+// Sums in the same order as Lighting does for a single sample.
 void Shine(const MattLights& lights, const LitSamples& samples)
 {
   const LitView& view = lights.view;

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What samples of a matt material are lit by, and how they are seen.
+/// The lights, view and material of samples without specular reflection.
 struct MattLights
 {
   const LitView& view;
@@ -19,18 +19,18 @@ struct MattLights
   std::span<const ParallelLight> lights;
 };
 
-/// Samples, coordinate by coordinate, in their own space; arrays have room for whole packs.
+/// Samples as a structure of arrays, in their own space; arrays are padded to whole packs.
 struct LitSamples
 {
   LanePoints position;
   LanePoints normal;
   std::array<double*, 3> color; ///< unlit from 0 to 1, then lit, not clamped
-  double* isLit;                ///< 1; 0 where something is not finite
+  double* isLit;                ///< 1, or 0 where a number is not finite
   int count;
 };
 
-/// In lanes, dispatched at run time to the instruction set. All of them give the same bits, and
-/// those of one sample after the other.
+/// Kernels in lanes, dispatched at run time to the instruction set. All instruction sets give the
+/// same bits as Lighting's loop over single samples.
 struct LightKernels
 {
   void (*shine)(const MattLights& lights, const LitSamples& samples);

@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What reaches a point, in parts of the light's colour.
+/// Light that reaches a point; strength is relative to the light's colour.
 struct Incoming
 {
   Vec3 direction; ///< from the light
@@ -47,7 +47,7 @@ Incoming LightAt(const Light& light, const LitView& view, const Vec3& x)
   return { direction, strength };
 }
 
-/// From 0 to 1, to a byte.
+/// Converts a channel from [0, 1] to a byte.
 std::uint8_t ByteOf(double channel)
 {
   const double scaled = 255.0 * std::clamp(channel, 0.0, 1.0);
@@ -55,7 +55,7 @@ std::uint8_t ByteOf(double channel)
   return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5 ? 1 : 0));
 }
 
-/// Some samples of one material, coordinate by coordinate.
+/// Samples of one material, as a structure of arrays.
 struct Some
 {
   static constexpr std::size_t kMax = 64;
@@ -79,7 +79,7 @@ struct Some
     }
     number[count++] = i;
   }
-  /// Whole packs are computed: what is behind the last sample is a copy of it.
+  /// Fills the last pack with copies of the last sample.
   void Pad()
   {
     for (std::array<Column, 3>* columns : { &position, &normal, &color })
@@ -175,7 +175,7 @@ void Lighting::PaintOne(const Material& material, SampleBuffers& samples, std::s
   const Vec3 normal = glm::normalize(NormalMatrix * samples.normal[i]);
   const Vec3 lit =
     Lit(material, color / 255.0, View.linear * samples.position[i] + View.offset, normal);
-  // What has no normal would be in the dark.
+  // A sample without a normal keeps its colour; light would make it black.
   if (std::isfinite(lit.x + lit.y + lit.z) && std::isfinite(normal.x + normal.y + normal.z))
   {
     for (int c = 0; c < 3; ++c)
@@ -203,12 +203,13 @@ Vec3 Lighting::Lit(
       continue;
     }
     diffuse += strength * falling * light.color;
-    // A power costs as much as all else.
+    // The power costs as much as all other terms.
     if (material.specular == 0.0)
     {
       continue;
     }
-    // VTK looks from the eye also where its rays are parallel, and along them by a lone headlight.
+    // VTK takes the direction from the eye also for parallel projection, and the view direction for
+    // a single headlight.
     const double mirrored =
       headlightAlone ? falling : -glm::dot(glm::reflect(direction, facing), fromEye);
     specular += strength * std::pow(std::max(1e-5, mirrored), material.specularPower) * light.color;

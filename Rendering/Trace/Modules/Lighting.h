@@ -10,11 +10,11 @@
 
 namespace pixelexact
 {
-/// A light as VTK's users know it (vtkLight's meaning of every member), in the lit space.
+/// A light; all members have the meaning of vtkLight's, in the lit space.
 struct Light
 {
   bool positional = false; ///< else its rays are parallel
-  bool headlight = false;  ///< along the view, wherever that goes
+  bool headlight = false;  ///< follows the view direction
   Vec3 position{ 0.0 };
   Vec3 direction{ 0.0, 0.0, -1.0 }; ///< of its rays, or of its cone's axis; of unit length
   Vec3 color{ 1.0 };                ///< times its intensity
@@ -32,7 +32,7 @@ struct ParallelLight
   Vec3 color;
 };
 
-/// How a surface answers light (vtkProperty's meaning of every member).
+/// Reflection of light by a surface; all members have the meaning of vtkProperty's.
 struct Material
 {
   double ambient = 0.0;
@@ -45,7 +45,7 @@ struct Material
   bool operator==(const Material&) const = default;
 };
 
-/// From where samples are seen and lit.
+/// The camera, and the transformation to the space of lights.
 struct LitView
 {
   Vec3 eye{ 0.0 };                  ///< the camera's position
@@ -57,13 +57,13 @@ struct LitView
   bool operator==(const LitView&) const = default;
 };
 
-/// Lights colours by the surface's exact normals, as VTK lights its polygons: both sides alike;
-/// diffuse light in the sample's colour. Belongs after the colour map. Samples that are
-/// not Exact keep their colours.
+/// Lights colours by the surface's exact normals, as VTK lights polygons: both sides alike, with
+/// diffuse light in the sample's colour. Belongs after the colour map. Samples that are not Exact
+/// keep their colours.
 class Lighting final : public SampleColors
 {
 public:
-  /// `materials`: by layer; none: not lit.
+  /// `materials`: by layer; none: the layer is not lit.
   Lighting(
     std::vector<std::optional<Material>> materials, std::vector<Light> lights, const LitView& view);
 
@@ -77,7 +77,7 @@ private:
 
   std::vector<std::optional<Material>> Materials;
   std::vector<Light> Lights;
-  std::vector<ParallelLight> Parallel; ///< those of the lights that are
+  std::vector<ParallelLight> Parallel; ///< the lights that are parallel
   LitView View;
   Mat3 NormalMatrix;
 };

@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// The part of a pixel, a unit square, that lies no farther than `to` from its centre along a unit
-/// vector: behind a straight line, exactly.
+/// The exact area of a unit square's part within the signed distance `to` from its centre along the
+/// unit vector `along`.
 inline double ShareBehind(const glm::dvec2& along, double to)
 {
   const double x = std::fabs(along.x);
