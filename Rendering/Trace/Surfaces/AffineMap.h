@@ -5,15 +5,15 @@
 
 namespace pixelexact
 {
-/// x -> linear x + offset. From the world to the space in which a surface is described.
+/// x -> linear x + offset, from the world to the space in which a surface is described.
 struct AffineMap
 {
   Mat3 linear{ 1.0 };
   Vec3 offset{ 0.0 };
 
   [[nodiscard]] bool IsIdentity() const { return linear == Mat3(1.0) && offset == Vec3(0.0); }
-  /// What the map takes to x, nearly. Throws Error, which begins with the surface's name, when the
-  /// map has no inverse or a number is not finite.
+  /// The approximate preimage of x. Throws Error, which begins with the surface's name, if the map
+  /// has no inverse or a number is not finite.
   [[nodiscard]] Vec3 Preimage(const Vec3& x, const char* surface) const;
 };
 } // namespace pixelexact

@@ -15,14 +15,14 @@ namespace pixelexact
 {
 namespace
 {
-/// Bounds hold so far beyond the patch, in u and v.
+/// Width of the margin, in u and v, in which bounds hold.
 constexpr double kBeyond = 1.0 / 32.0;
-/// By how much a path may leave the patch, in u and v: far less than would be seen, and more than
-/// rounding makes of an edge along its end.
+/// Largest distance, in u and v, by which a path may leave the patch: far below visibility, and
+/// above the rounding of a path along the patch's edge.
 constexpr double kBeside = 1e-10;
 constexpr std::size_t kMaxPoints = 17;
 
-/// Control points of rows and columns.
+/// Control points in rows and columns.
 struct Net
 {
   int count[2];
@@ -44,13 +44,14 @@ struct Net
   }
 };
 
-/// The same polynomial with 0 to 1 of direction d stretched to -kBeyond to 1 + kBeyond.
+/// The same polynomial after the interval [0, 1] of direction d has been extended to [-kBeyond, 1 +
+/// kBeyond].
 void Stretch(Net& net, int d)
 {
   const int n = net.count[d];
   const auto at = [&](int k, int other) -> Vec3&
   { return d == 0 ? net.At(k, other) : net.At(other, k); };
-  // De Casteljau's algorithm at the new end leaves the points of the part up to it.
+  // De Casteljau's algorithm at the new end gives the control points of the part up to it.
   const auto moveEnd = [&](bool upper, double s)
   {
     for (int other = 0; other < net.count[1 - d]; ++other)
@@ -67,11 +68,11 @@ void Stretch(Net& net, int d)
     }
   };
   moveEnd(true, 1.0 + kBeyond);
-  // Of what is now from 0 to 1 + kBeyond.
+  // The interval [0, 1] is now [0, 1 + kBeyond].
   moveEnd(false, 1.0 + kBeyond / (1.0 + kBeyond));
 }
 
-/// Of the derivative along direction d.
+/// The control points of the derivative along direction d.
 Net Differences(Net net, int d)
 {
   const int n = net.count[d] - 1;
@@ -97,7 +98,7 @@ struct Bernstein
 
   Bernstein(int n, double s)
   {
-    // Of degrees n - 2, n - 1, n.
+    // The loop reaches degrees n - 2, n - 1 and n.
     std::array<double, kMaxPoints> b{};
     b[0] = 1.0;
     for (int degree = 0; degree <= n; ++degree)
@@ -150,7 +151,7 @@ BezierBend::BezierBend(const BezierPatch& patch)
     x -= Centre;
   }
   Net net{ { Degree[0] + 1, Degree[1] + 1 }, Points };
-  // A sum of (n + 1)^2 products of numbers that n roundings made.
+  // At sums (n + 1)^2 products of numbers with n roundings each.
   Rounding = 64.0 * kUnitRoundoff * (Degree[0] + Degree[1]) * (net.Largest() + glm::length(Centre));
   Stretch(net, 0);
   Stretch(net, 1);
@@ -198,9 +199,9 @@ BezierBend::View BezierBend::At(double u, double v) const
   return view;
 }
 
-/// Whether paths from one place to the other that are off the straight line in (u, v) by 4 s (1 -
-/// s) times so much stay in the patch: 1 - u is (1 - s)(1 - u_A) + s (1 - u_B) on the line, and so
-/// on.
+/// Paths between two places stay in the patch if their distance from the straight line in (u, v) is
+/// at most 4 s (1 - s) times `offU` and `offV`. On the line, 1 - u is (1 - s)(1 - u_A) + s (1 -
+/// u_B), and likewise for the other edges.
 bool BezierBend::HoldsPaths(const Place& from, const Place& to, double offU, double offV) const
 {
   const auto holds = [](double a, double b, double off)
@@ -211,19 +212,20 @@ bool BezierBend::HoldsPaths(const Place& from, const Place& to, double offU, dou
 
 double BezierBend::Sagitta(const Chord& chord, const Place& from, const Place& to) const
 {
-  // Sought are (u, v, t) with G = y(u, v) - c(s) - t d(s) = 0 for each point c(s) of the chord and
-  // the ray's direction d(s) there. On the straight line in (u, v), with t = 0, G is the deviation
-  // of y from straightness, s (1 - s) / 2 times some second derivative along the line. With M
-  // nearly G's derivatives, the map x - M^-1 G contracts by kappa: so there is one root within
-  // |M^-1 G| / (1 - kappa), off the first step -M^-1 G by kappa times that (Banach), and it depends
-  // on s continuously. All is in units of the chord: u and v in h, t in its length.
+  // The unknowns are (u, v, t) with G = y(u, v) - c(s) - t d(s) = 0, for each point c(s) of the
+  // chord and the ray's direction d(s) there. On the straight line in (u, v), with t = 0, G is y's
+  // deviation from straightness, s (1 - s) / 2 times a second derivative along the line. With M an
+  // approximation of G's derivatives, the map x - M^-1 G contracts by kappa. So there is one root
+  // within |M^-1 G| / (1 - kappa). Its distance from the first step -M^-1 G is at most kappa times
+  // that (Banach), and it depends continuously on s. Units are those of the chord: h for u and v,
+  // its length for t.
   const double du = to.u - from.u;
   const double dv = to.v - from.v;
   const double h = 0.5 * std::max(std::fabs(du), std::fabs(dv));
   const double length = chord.Length();
   const double u = 0.5 * (from.u + to.u);
   const double v = 0.5 * (from.v + to.v);
-  // The line, and h about it.
+  // The line, and h around it.
   const double aroundU = 0.5 * std::fabs(du) + h;
   const double aroundV = 0.5 * std::fabs(dv) + h;
   if (!(h > 0.0 && std::fabs(u - 0.5) + aroundU <= 0.5 + kBeyond &&
@@ -241,7 +243,7 @@ double BezierBend::Sagitta(const Chord& chord, const Place& from, const Place& t
   const Vec3 bend = du * du * middle.yuu + 2.0 * du * dv * middle.yuv + dv * dv * middle.yvv;
   const double a = std::fabs(du);
   const double b = std::fabs(dv);
-  // Half of what it changes from end to end, at most.
+  // Half of the largest change from end to end.
   const double bends = 0.5 *
       (Third[0] * a * a * a + 3.0 * Third[1] * a * a * b + 3.0 * Third[2] * a * b * b +
         Third[3] * b * b * b) +
@@ -265,7 +267,7 @@ double BezierBend::Sagitta(const Chord& chord, const Place& from, const Place& t
   }
   const double first = std::max({ step[0], step[1], step[2] });
   const double besides = kappa * first / (1.0 - kappa);
-  // Written so that a NaN is not known.
+  // The comparison rejects a NaN.
   if (!(kappa <= 0.5 && first + besides <= 1.0 &&
         HoldsPaths(from, to, h * (step[0] + besides), h * (step[1] + besides))))
   {

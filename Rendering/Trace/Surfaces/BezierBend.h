@@ -8,14 +8,14 @@
 
 namespace pixelexact
 {
-/// How a Bezier patch bends: its derivatives at any (u, v), and bounds of those of second and third
-/// order over the whole patch and a little beyond it.
+/// Derivatives of a Bezier patch at any (u, v), and bounds of its second and third derivatives over
+/// the patch and a margin around it.
 class BezierBend
 {
 public:
   explicit BezierBend(const BezierPatch& patch);
 
-  /// A point of the patch and its place there.
+  /// A point of the patch and its parameters.
   struct Place
   {
     Vec3 position;
@@ -23,8 +23,9 @@ public:
     double v;
   };
 
-  /// How far the patch is off a chord between two of its points along the rays between, which all
-  /// meet it there in one continuous path; infinite where that is not proven.
+  /// Largest distance of the patch from a chord between two of its points, along the rays between.
+  /// All these rays meet the patch within it, on one continuous path. Infinite if this is not
+  /// proven.
   [[nodiscard]] double Sagitta(const Chord& chord, const Place& from, const Place& to) const;
 
   /// The patch and its derivatives.
@@ -44,8 +45,8 @@ private:
 
   int Degree[2];
   Vec3 Centre;
-  std::vector<Vec3> Points; ///< less the centre
-  double Rounding;          ///< of At's y; of each derivative, twice the degree times it
+  std::vector<Vec3> Points; ///< minus the centre
+  double Rounding;          ///< of At's y; each derivative multiplies it by twice the degree
   double Second[3];         ///< uu, uv, vv
   double Third[4];          ///< uuu, uuv, uvv, vvv
 };

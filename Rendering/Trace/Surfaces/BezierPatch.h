@@ -9,7 +9,7 @@ namespace pixelexact
 {
 /// A polynomial patch by its control points: the sum over i, j of B_i(u) B_j(v) points[i *
 /// (degree[1] + 1) + j], with the Bernstein polynomials B of degree[0] in u and degree[1] in v, for
-/// u and v from 0 to 1. So rows have one i, and the corners of the patch are control points.
+/// u and v from 0 to 1. The points of one i form a row, and the patch's corners are control points.
 struct BezierPatch
 {
   int degree[2];

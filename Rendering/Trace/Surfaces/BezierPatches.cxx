@@ -100,7 +100,7 @@ BezierPatches::Storage::Storage(std::span<const BezierPatch> patches)
     }
     spaceOf.push_back(found->second.first);
     offset.push_back(static_cast<std::int64_t>(coefficients.size()));
-    // The patch lies in the hull of its points.
+    // The patch lies in the convex hull of its points.
     Box3 box{ patch.points[0], patch.points[0] };
     for (const Vec3& x : patch.points)
     {

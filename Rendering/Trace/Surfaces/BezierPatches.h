@@ -10,16 +10,16 @@
 
 namespace pixelexact
 {
-/// A surface of tensor-product Bezier patches, bicubic ones among them (paper, section 5.1.1). Hits
-/// are what CurvedSurface says; patches that share an edge, with the same points to some roundings,
-/// let no ray through between them. Each patch is the face of an element that has no thickness.
+/// A surface of tensor-product Bezier patches, such as bicubic ones (paper, section 5.1.1). Hits
+/// have the properties of CurvedSurface's. No ray passes between patches that share an edge with
+/// the same points up to some roundings. Each patch is the face of an element without thickness.
 class BezierPatches final : public CurvedSurface
 {
 public:
   static constexpr int kHighestDegree = 16;
 
-  /// Throws Error without patches, for degrees other than 1 to 16, for a number of points that does
-  /// not go with them, and for points that are not finite; it names the patch.
+  /// Throws Error without patches, for degrees outside 1 to 16, for a number of points that does
+  /// not match the degrees, and for points that are not finite; the message names the patch.
   explicit BezierPatches(std::span<const BezierPatch> patches);
   ~BezierPatches() override;
   BezierPatches(const BezierPatches&) = delete;
@@ -29,7 +29,7 @@ public:
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override { return true; }
 
-  /// What a surface is made of, and the arrays that it is a view of.
+  /// The arrays that the surface views.
   struct Storage;
 
 protected:

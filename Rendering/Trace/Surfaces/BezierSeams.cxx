@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of Newton's iteration along an edge.
+/// Steps of Newton's iteration along an edge.
 constexpr int kSteps = 8;
 
 std::vector<Vec3> EdgePoints(const BezierPatch& patch, int edge)
@@ -61,7 +61,7 @@ BezierSeams::BezierSeams(std::span<const BezierPatch> patches)
 
 void BezierSeams::Join(std::span<const BezierPatch> patches)
 {
-  // By the corners at an edge's ends, in order.
+  // Edges by the corners at their ends, in order.
   std::map<std::array<double, 6>, std::vector<std::pair<std::int32_t, int>>> found;
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
@@ -127,8 +127,8 @@ double BezierSeams::Sagitta(
 double BezierSeams::Across(const Chord& chord, std::int32_t patch, int edge,
   const BezierBend::Place& from, const BezierBend::Place& to) const
 {
-  // Where the edge crosses the rays' plane two paths meet, each as far off its own chord as its
-  // patch is; these chords are off the whole one by no more than that point.
+  // Two paths meet where the edge crosses the rays' plane. Each is as far from its own chord as its
+  // patch is. The distance of the two chords from the whole chord is at most that of the crossing.
   const RayPlane plane(chord);
   const Neighbour& next = Beyond[static_cast<std::size_t>(patch)][static_cast<std::size_t>(edge)];
   const BezierBend& bend = BendOf(patch);
@@ -142,7 +142,7 @@ double BezierSeams::Across(const Chord& chord, std::int32_t patch, int edge,
       plane.Height(view.y + (edge < 2 ? view.yv : view.yu)) - plane.Height(view.y);
     along -= plane.Height(view.y) / slope;
   }
-  // Written so that a NaN is not known.
+  // The comparison rejects a NaN.
   if (!(plane.IsKnown() && along > 0.0 && along < 1.0))
   {
     return kInfinity;
@@ -155,7 +155,7 @@ double BezierSeams::Across(const Chord& chord, std::int32_t patch, int edge,
     return kInfinity;
   }
   const BezierBend::Place beyond = PlaceOn(next.edge, next.reversed ? 1.0 - along : along, at);
-  // Rays through the point go between the two: no farther turned than they are.
+  // Rays through the crossing lie between the two rays, so their turn is at most that of the chord.
   const double before = bend.Sagitta({ chord.a, chord.from, chord.b, at }, from, place);
   const double behind = BendOf(next.patch).Sagitta({ chord.a, at, chord.b, chord.to }, beyond, to);
   return std::max(before, behind) + plane.OffChord(at);

@@ -11,23 +11,23 @@
 
 namespace pixelexact
 {
-/// Patches and the edges that they share, with the same control points to the bit: how far they are
-/// off chords between hits.
+/// Patches, and the edges that they share with control points equal to the bit. Bounds the distance
+/// of the patches from chords between hits.
 class BezierSeams
 {
 public:
   BezierSeams() = default;
   explicit BezierSeams(std::span<const BezierPatch> patches);
 
-  /// As Surface::Sagitta, of hits that tell patch and parameters: within a patch, or across one
-  /// edge that two patches share.
+  /// As Surface::Sagitta, for hits with patch and parameters: inside one patch, or across one edge
+  /// that two patches share.
   [[nodiscard]] double Sagitta(
     const Chord& chord, const SurfacePoint& from, const SurfacePoint& to) const;
 
 private:
-  /// u = 0, u = 1, v = 0, v = 1; places on them grow with the other parameter.
+  /// The edges u = 0, u = 1, v = 0, v = 1; places on them grow with the other parameter.
   static constexpr int kEdges = 4;
-  /// What lies beyond an edge.
+  /// The patch on the other side of an edge.
   struct Neighbour
   {
     std::int32_t patch = -1;

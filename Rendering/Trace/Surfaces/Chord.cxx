@@ -23,7 +23,8 @@ double Chord::Turn() const
 
 double Chord::Slack() const
 {
-  // A direction is off by some roundings, at the hit times its distance from the origin.
+  // A direction's error is some roundings. At the hit it is multiplied by the distance from the
+  // origin.
   return 16.0 * kUnitRoundoff *
     (glm::length(a.origin) + glm::length(b.origin) + glm::length(from) + glm::length(to));
 }
@@ -31,7 +32,7 @@ double Chord::Slack() const
 double ReachBySlope(const Chord& chord, double value, double slope, double change)
 {
   const double reach = value / (std::fabs(slope) - change) * (1.0 + 1e-9);
-  // Written so that a NaN is not known.
+  // The comparison makes a NaN infinite.
   return std::fabs(slope) > change && reach <= chord.Room()
     ? reach
     : std::numeric_limits<double>::infinity();

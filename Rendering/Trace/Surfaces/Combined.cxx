@@ -31,10 +31,10 @@ struct CombinedScratch
   std::vector<bool> inside;
 };
 
-/// Near one chord: all orders in which they may be crossed are gone through.
+/// Largest count of parts near one chord. All orders in which they may be crossed are checked.
 constexpr std::size_t kMaxCrossed = 4;
 
-/// What the part's own hit tells.
+/// Converts a hit of the whole to a hit of its part.
 SurfacePoint OfPart(const SurfacePoint& point)
 {
   SurfacePoint ofPart = point;
@@ -42,8 +42,8 @@ SurfacePoint OfPart(const SurfacePoint& point)
   return ofPart;
 }
 
-/// Whether no point of a surface is within `beside` of a straight line: by balls along it, the
-/// smaller the nearer the surface is.
+/// No point of the surface lies within `beside` of a straight line. Tests balls along the line,
+/// smaller ones where the surface is nearer.
 bool IsClearAlong(
   const Surface& surface, const Vec3& from, const Vec3& to, double beside, int subdivisions = 5)
 {
@@ -53,7 +53,7 @@ bool IsClearAlong(
       IsClearAlong(surface, middle, to, beside, subdivisions - 1));
 }
 
-/// Of a piece of a ray without end, a point that lies on it.
+/// A point inside an interval of a ray that may be infinite.
 double Middle(double from, double to)
 {
   return to < kFarthest ? 0.5 * from + 0.5 * to : 2.0 * from + 1.0;
@@ -121,7 +121,7 @@ void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
     for (std::size_t n = 0; n < found.size(); ++n)
     {
       const bool last = n + 1 == found.size();
-      // Of several at one t, the last one.
+      // If several hits have the same t, only the last one counts.
       if (!last && found[n + 1].t == found[n].t)
       {
         continue;
@@ -160,8 +160,7 @@ double Combined::Sagitta(
   const Chord whole{ a, atA.position, b, atB.position };
   if (atA.piece >= 0 && atA.piece == atB.piece)
   {
-    // Where all other parts are the same along the part's own path, so is what it does to the
-    // whole.
+    // No other part changes along this part's path, so the part's effect on the whole is constant.
     const auto own = static_cast<std::size_t>(atA.piece);
     const double sagitta = Parts[own].surface->Sagitta(a, OfPart(atA), b, OfPart(atB));
     bool isAlone = std::isfinite(sagitta);
@@ -180,11 +179,10 @@ double Combined::Sagitta(
 
 double Combined::ReachOfParts(const Chord& chord) const
 {
-  // Within `reach` of the chord, parts that are clear of it are the same everywhere. Each of the
-  // others is crossed once by each ray, where, is continuous. If the whole only ever changes in one
-  // direction while parts are crossed, in whatever order, each ray meets it once: where the first
-  // of some parts, or the last, is crossed, and the least and the largest of continuous functions
-  // are continuous.
+  // Within `reach` of the chord, parts that are clear of it do not change. Each ray crosses each of
+  // the other parts once, at a place that is continuous in the ray. If every order of crossings
+  // changes the whole in one direction only, each ray meets it once. The place is that of the first
+  // or of the last of some parts; minima and maxima of continuous functions are continuous.
   std::vector<bool> isNear(Parts.size(), false);
   double reach = 0.0;
   for (bool grows = true; grows;)
@@ -223,7 +221,7 @@ bool Combined::ChangesOnce(
     if (isNear[p])
     {
       crossed.push_back(p);
-      // Too close to tell.
+      // The part is too close to the end of the step.
       if (inside[p] == after[p])
       {
         return false;
@@ -234,7 +232,7 @@ bool Combined::ChangesOnce(
   {
     return false;
   }
-  // Of all sets of parts that have been crossed, and one more part each.
+  // Checks each set of crossed parts, and one further part.
   const bool before = IsInside(inside);
   const bool last = IsInside(after);
   const auto isChanged = [&](std::size_t set)

@@ -15,11 +15,11 @@ namespace pixelexact
 {
 namespace
 {
-/// The face in the world of a half-space on the other side of the map.
+/// The face in the world of a half-space that is given in the function's space.
 ConvexFace Moved(const HalfSpace& face, const AffineMap& map, const char* what)
 {
   Vec3 point = map.Preimage(face.point, what);
-  // The preimage is rounded; how far off it is is not.
+  // The preimage is rounded; its height over the face is computed in pairs.
   DoublePair height;
   for (int i = 0; i < 3; ++i)
   {
@@ -66,7 +66,7 @@ double ConvexBody::Sagitta(
   const Chord chord{ a, atA.position, b, atB.position };
   if (atA.piece >= 0 && atA.piece == atB.piece)
   {
-    // A face is convex: the chord lies in it.
+    // A face is convex, so the chord lies in it.
     const ConvexFace& face = Faces[static_cast<std::size_t>(atA.piece)];
     return ReachOfPlane(chord, face.point, face.normal);
   }
@@ -75,12 +75,12 @@ double ConvexBody::Sagitta(
 
 double ConvexBody::Reach(const Chord& chord) const
 {
-  // The boundary is where g, the largest of the faces' heights, vanishes: a convex function that
-  // changes no faster than one moves. On the chord it is at most the larger of its ends' values. It
-  // is no less than the heights over the planes of the faces a and b on which the ends have theirs,
-  //   g_a + s n_a.e  and  g_b - (1 - s) n_b.e,  e from end to end,
-  // the larger of which is below both g_a and g_b by alpha beta / (alpha + beta) at most, alpha and
-  // beta how far the planes fall towards the other end.
+  // The boundary is the zero set of g, the largest of the faces' heights: a convex function with
+  // Lipschitz constant 1. On the chord it is at most the larger of its ends' values. It is at least
+  // the heights over the planes of the faces a and b that are largest at the ends,
+  //   g_a + s n_a.e  and  g_b - (1 - s) n_b.e,  where e leads from end to end.
+  // The larger of these is below both g_a and g_b by at most alpha beta / (alpha + beta), where
+  // alpha and beta are the planes' falls towards the other end.
   const Vec3 e = chord.Along();
   const Vec3 middle = chord.Middle();
   const double radius = chord.Radius();
@@ -109,7 +109,8 @@ double ConvexBody::Reach(const Chord& chord) const
   const double rounding = chord.Slack() + 16.0 * kUnitRoundoff * size;
   const double fall = alpha + beta > 0.0 ? alpha * beta / (alpha + beta) : 0.0;
   const double value = std::max(std::fabs(atA), std::fabs(atB)) + fall + 2.0 * rounding;
-  // In the ball about the middle g has the slope of a face whose height there may be the largest.
+  // In the ball about the middle, g's slope is that of a face whose height there may be the
+  // largest.
   double least = kNoHit;
   double most = -kNoHit;
   for (const ConvexFace& face : Faces)

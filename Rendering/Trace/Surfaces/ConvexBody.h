@@ -16,17 +16,17 @@ struct HalfSpace
   Vec3 normal;
 };
 
-/// The boundary of what half-spaces have in common, which may be without end, flat or empty; as
-/// vtkPlanes and vtkBox. A ray meets it where it enters and where it leaves, at most; once where
-/// these are the same. One that lies in a face meets it at the face's ends.
+/// The boundary of an intersection of half-spaces, which may be infinite, flat or empty, as
+/// vtkPlanes and vtkBox. A ray meets it at most where it enters and where it leaves; if these are
+/// equal, once. A ray that lies in a face meets the boundary at the face's ends.
 ///
-/// t is that of the given numbers but for the rounding of a face's normal and of sums of three
-/// products. Hits tell the number of their face (HitSlots::Pieces).
+/// t's error is that of the rounding of a face's normal and of sums of three products. Hits store
+/// the number of their face (HitSlots::Pieces).
 class ConvexBody final : public Surface
 {
 public:
-  /// The normals need not be of unit length. Throws Error when there is no half-space, a normal is
-  /// zero, a number is not finite, or the map has no inverse; `what` names the surface in its
+  /// The normals need not have unit length. Throws Error if there is no half-space, a normal is
+  /// zero, a number is not finite, or the map has no inverse; `what` names the surface in the
   /// message.
   explicit ConvexBody(const std::vector<HalfSpace>& halfSpaces, const AffineMap& toFunction = {},
     const char* what = "convex body");
@@ -34,7 +34,7 @@ public:
   [[nodiscard]] const std::vector<ConvexFace>& PlanesOfFaces() const { return Faces; }
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
-  /// That of the point's face, or, where that is not known, of the one that is closest; outwards.
+  /// The outward normal of the point's face or, if that is unknown, of the closest face.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
   [[nodiscard]] double Sagitta(
@@ -48,7 +48,7 @@ private:
   std::vector<ConvexFace> Faces;
 };
 
-/// Throws Error when a coordinate of `lower` is above that of `upper`, a number is not finite, or
-/// the map has no inverse.
+/// Throws Error if a coordinate of `lower` is above that of `upper`, a number is not finite, or the
+/// map has no inverse.
 ConvexBody MakeBox(const Vec3& lower, const Vec3& upper, const AffineMap& toFunction = {});
 } // namespace pixelexact

@@ -16,7 +16,7 @@ HWY_INLINE void SplatTo(const Vec3& x, Lanes (&to)[3])
   to[2] = Splat(x.z);
 }
 
-/// A pack of rays, and where they enter and leave.
+/// A pack of rays, and the t where they enter and leave.
 struct ConvexRay
 {
   Lanes origin[3];
@@ -25,7 +25,7 @@ struct ConvexRay
   Lanes exit;
   Lanes enterFace;
   Lanes exitFace;
-  LaneMask outside; ///< along a face, on its outer side
+  LaneMask outside; ///< parallel to a face, on its outer side
 
   HWY_INLINE ConvexRay(const RayLanes& rays, int at)
     : enter(Splat(-kNoHit))
@@ -62,7 +62,7 @@ struct ConvexRay
     outside = Or(outside, And(Abs(slope) <= zero, height < zero));
   }
 
-  /// The hits at t on the given faces, as slot k.
+  /// Writes the hits at t on the given faces to slot k.
   void Put(const ConvexFace* faces, Lanes t, Lanes number, LaneMask hit, int k, int at,
     HitSlots& hits) const
   {
@@ -93,7 +93,7 @@ struct ConvexRay
         off[d] = x[d] - Traits::Load(planes[d]);
         normal[d] = Traits::Load(planes[3 + d]);
       });
-    // From a far origin the rounding of t moves x off the face; put it back along the normal.
+    // With a far origin, the rounding of t moves x off the face; x is moved back along the normal.
     const Lanes height = PlainDot(normal, off);
     Store(Select(hit, t, Splat(kNoHit)), slot.t + at);
     ForEachAxis(

@@ -6,14 +6,15 @@
 
 namespace pixelexact
 {
-/// A plane through a point; the normal is of unit length and points out of the body.
+/// A plane through a point; the unit normal points out of the body.
 struct ConvexFace
 {
   Vec3 point;
   Vec3 normal;
 };
 
-/// Hits in lanes: dispatched at run time to the instruction set. All of them give the same bits.
+/// Intersection kernels in lanes, dispatched at run time to the instruction set. All of them give
+/// the same bits.
 struct ConvexKernels
 {
   void (*meet)(const ConvexFace* faces, int count, const RayLanes& rays, HitSlots& hits);

@@ -28,7 +28,7 @@ void Disc::Meet(const RayLanes& rays, HitSlots& hits) const
       const double off = slot.position[d][i] - Centre[d];
       squared += off * off;
     }
-    // Where the plane is not met the position may be NaN.
+    // The position may be NaN if the ray does not meet the plane.
     slot.t[i] = squared <= Radius * Radius ? slot.t[i] : kNoHit;
   }
 }

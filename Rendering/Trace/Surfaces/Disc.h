@@ -5,16 +5,16 @@
 
 namespace pixelexact
 {
-/// The part of a plane that is no further than a radius from a centre. A ray that lies in the plane
-/// does not meet it. VTK has no implicit function for it: it is for the tool and C++ alone.
+/// The points of a plane within a radius of a centre. A ray that lies in the plane does not meet
+/// it. VTK has no implicit function for it, so only the tool and C++ offer it.
 ///
-/// t and position are as accurate as a Plane's. A ray that passes the rim more closely than its
-/// position may be off may be found on either side of it.
+/// t and position are as accurate as a Plane's. If a ray's distance from the rim is below the error
+/// of its position, the hit may be missing or superfluous.
 class Disc final : public Surface
 {
 public:
-  /// Throws Error when the normal is zero, the radius is not within 1e-100 to 1e100, or a number is
-  /// not finite. The normal need not be of unit length.
+  /// Throws Error if the normal is zero, the radius is not within 1e-100 to 1e100, or a number is
+  /// not finite. The normal need not have unit length.
   Disc(const Vec3& centre, const Vec3& normal, double radius);
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;

@@ -58,7 +58,7 @@ ElementFaces::ElementFaces(
 {
   if (partly.size() != faces.size())
   {
-    Refuse("element faces", "which of them are partly covered must be told of each");
+    Refuse("element faces", "give one `partly` flag for each face");
   }
   Behind = &locator;
   Partly = std::move(partly);

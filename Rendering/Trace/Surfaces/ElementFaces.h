@@ -11,17 +11,17 @@
 
 namespace pixelexact
 {
-/// Curved faces of a mesh's elements (paper, section 5.1.1). Hits are what CurvedSurface says, and
-/// tell their element and xi: values are those on this element's side of the face.
+/// Curved faces of a mesh's elements (paper, section 5.1.1). Hits have the properties of
+/// CurvedSurface's, and store element and xi. Values are those on this element's side of the face.
 class ElementFaces final : public CurvedSurface
 {
 public:
   /// The index must outlive the surface. Throws Error without faces, and for faces that do not
   /// exist.
   ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces);
-  /// Of the faces that are `partly` covered (one entry for each), only what nothing lies behind
-  /// counts: decided hit by hit (FindBehind), Undecided where that is unknown. The locator must
-  /// outlive the surface.
+  /// `partly`: one entry per face; true: the face is partly covered by other elements. On such a
+  /// face, only uncovered points are hits. FindBehind decides this for each hit, and a hit is
+  /// Undecided if it cannot. The locator must outlive the surface.
   ElementFaces(
     const Locator& locator, std::span<const ElementFace> faces, std::vector<bool> partly);
 
@@ -35,7 +35,7 @@ public:
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
   {
-    // Between two hits something may cover a face.
+    // Another element may cover a face between two hits.
     return IsPartly(atA.piece) || IsPartly(atB.piece) ? kNoHit : Chords.Of(a, atA, b, atB);
   }
   [[nodiscard]] bool HasSagitta() const override { return true; }
@@ -54,7 +54,7 @@ private:
     return part >= 0 && !Partly.empty() && Partly[static_cast<std::size_t>(part)];
   }
 
-  const Locator* Behind = nullptr; ///< null: all faces count as they are
+  const Locator* Behind = nullptr; ///< null: no face is partly covered
   std::vector<bool> Partly;
   std::vector<ElementFace> faces_;
   PartSagitta Chords;

@@ -61,7 +61,7 @@ void FieldSamples::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients)
       gradients[i] = slopeOf(static_cast<std::size_t>(std::max(Component, 0)));
       continue;
     }
-    // The gradient of half of the square has the direction of the magnitude's.
+    // The gradient of half the square has the direction of the magnitude's gradient.
     gradients[i] = Vec3(0.0);
     for (std::size_t c = 0; c < components; ++c)
     {

@@ -21,12 +21,12 @@ void Fit(std::vector<T>& array, std::size_t size)
 
 void HitSlots::Begin(int rays)
 {
-  // Arrays a multiple of 4096 bytes apart would drive each other out of the cache.
+  // Arrays whose distance is a multiple of 4096 bytes would evict each other from the cache.
   constexpr std::size_t kApart = 5 * 8;
   Rays = rays;
   Used = 0;
   First = 0;
-  // Never less than before: what the slots hold was made for it.
+  // The stride never decreases, because existing slots were allocated with it.
   Stride = std::max(Stride, static_cast<std::size_t>(PaddedCount(rays)) + kApart);
 }
 

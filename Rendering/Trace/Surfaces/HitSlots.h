@@ -10,40 +10,40 @@
 
 namespace pixelexact
 {
-/// t where a ray meets nothing.
+/// t of a ray without a hit.
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
-/// What is known of a hit.
+/// Reliability of a hit.
 enum class HitStatus : std::uint8_t
 {
-  Certain,  ///< the surface is there, and between the ray's hits it is not
-  Numeric,  ///< found by a search that may have overlooked others
-  Undecided ///< whether the ray meets the surface there is not decided
+  Certain,  ///< the hit exists, and there is none between the ray's hits
+  Numeric,  ///< found by a search that may have missed other hits
+  Undecided ///< it is undecided whether the ray meets the surface here
 };
 
-/// Where rays meet a surface, padded as the rays are.
+/// Intersections of rays with a surface; arrays are padded as the rays' are.
 struct HitLanes
 {
   double* t;
-  double* position[3]; ///< the surface's point, on ray and surface up to rounding
+  double* position[3]; ///< on ray and surface up to rounding
 };
 
-/// Of a surface that is made of elements, which tells this of all of its hits: where on them they
-/// are. They are not located, and so come to lie in no neighbour.
+/// Elements and xi of the hits of a mesh surface, which stores them for all of its hits. These hits
+/// are not located, so that they cannot fall into a neighbour.
 struct ElementLanes
 {
   std::int32_t* element;
   double* xi[3];
 };
 
-/// Of a surface that is made of pieces: where on them its hits are, for its normals.
+/// Pieces and parameters of the hits of a surface that consists of pieces, for its normals.
 struct PieceLanes
 {
   std::int32_t* piece;
   double* parameters[2];
 };
 
-/// A point of a surface; what a hit knows of it.
+/// A point of a surface, with the data of its hit.
 struct SurfacePoint
 {
   Vec3 position;
@@ -54,25 +54,26 @@ struct SurfacePoint
 };
 
 /// All hits of one surface with the rays of a tile. The k-th hits of all rays are slot k; t does
-/// not fall from slot to slot, and is kNoHit after a ray's last hit.
+/// not decrease from slot to slot, and is kNoHit after a ray's last hit.
 ///
-/// A surface is asked for some of the rays at a time, and its lanes begin with the first of these.
-/// What it asks for for the first time in a tile holds nothing (kNoHit, Certain, -1) for all rays.
+/// A surface fills the slots for some of the rays at a time; its lanes begin with the first of
+/// these rays. Lanes that it requests for the first time in a tile are reset for all rays (kNoHit,
+/// Certain, -1).
 class HitSlots
 {
 public:
-  /// Before a tile of so many rays: no hit anywhere.
+  /// Resets the slots for a tile of `rays` rays.
   void Begin(int rays);
-  /// The ray that lanes begin with from now on.
+  /// Sets the ray that lanes begin with.
   void MoveTo(int first) { First = static_cast<std::size_t>(first); }
 
-  // For surfaces. Slots come one after the other: k is at most Count().
+  // For surfaces. Slots are filled in order: k is at most Count().
   HitLanes Slot(int k);
   HitStatus* Status(int k);
   ElementLanes Elements(int k);
   PieceLanes Pieces(int k);
 
-  // For readers: of all rays, whatever MoveTo said.
+  // For readers: of all rays, independent of MoveTo.
   [[nodiscard]] int Count() const { return Used; }
   [[nodiscard]] const double* T(int k) const { return At(k).t.data(); }
   [[nodiscard]] const double* Position(int k, int axis) const
@@ -84,7 +85,7 @@ public:
     const OneSlot& slot = At(k);
     return slot.hasStatus ? slot.status[static_cast<std::size_t>(ray)] : HitStatus::Certain;
   }
-  /// Of any slot.
+  /// Some slot has statuses, or elements.
   [[nodiscard]] bool HasStatuses() const;
   [[nodiscard]] bool HasElements() const;
   [[nodiscard]] SurfacePoint PointOf(int k, int ray) const;

@@ -45,7 +45,7 @@ CurvedEquation IsoEquation(const Mesh& mesh, const Field& field, int component, 
   return { mesh, &field, which, value };
 }
 
-/// Those that may hold the value.
+/// The elements that may take the value.
 struct IsoSurface::Elements
 {
   std::vector<CurvedPart> parts;

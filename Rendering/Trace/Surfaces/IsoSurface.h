@@ -8,25 +8,25 @@
 
 namespace pixelexact
 {
-/// What makes an iso-surface of a component of a field, or of its magnitude (kMagnitude; of a
-/// scalar field: the scalar). Throws Error for a component that is not there, for a value that is
-/// not a finite number or, of a magnitude, not positive; Unsupported for mapped fields (H(curl),
+/// The equation of an iso-surface of a field's component, or of its magnitude (kMagnitude; for a
+/// scalar field, the scalar). Throws Error for a component that does not exist and for a value that
+/// is not finite or, of a magnitude, not positive. Throws Unsupported for mapped fields (H(curl),
 /// H(div), density).
 CurvedEquation IsoEquation(const Mesh& mesh, const Field& field, int component, double value);
 
 class ValueIndex;
 
-/// Where a component of a field has a value. Elements whose certified range does not hold it are
-/// not looked at. Where the field jumps between elements, the surface ends: its walls are a surface
-/// of their own (JumpWalls).
-/// Hits are what CurvedSurface says, and tell their element and xi.
+/// The points where a field's component has a value. Elements whose certified range excludes the
+/// value are skipped. Where the field jumps between elements, the surface ends; its walls are a
+/// surface of their own (JumpWalls). Hits have the properties of CurvedSurface's, and store element
+/// and xi.
 class IsoSurface final : public CurvedSurface
 {
 public:
   /// `component`: of the field, or kMagnitude. Index and field must outlive the surface. Throws
-  /// Error, naming the field's range, where no element may hold the value, and for what is not a
-  /// finite number or, of a magnitude, not positive; Unsupported for mapped fields (H(curl),
-  /// H(div), density). With `mayBeEmpty` no element has to hold the value.
+  /// Error, with the field's range, if no element may take the value, and for a value that is not
+  /// finite or, of a magnitude, not positive. Throws Unsupported for mapped fields (H(curl),
+  /// H(div), density). `mayBeEmpty`: no element has to take the value.
   IsoSurface(const ElementIndex& index, const Field& field, int component, double value,
     bool mayBeEmpty = false);
 

@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of values: far more than evaluation, and the place of a hit, leave of an error.
+/// Relative to values: far above the errors of evaluation and of a hit's place.
 constexpr double kRounding = 1e-9;
 
 std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const CurvedPart> parts)
@@ -27,8 +27,8 @@ std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const CurvedPart>
   return boxes;
 }
 
-/// What a hit is, by the values on both sides of its face. An enclosure that is not finite is
-/// beside nothing and meets everything.
+/// Classification of a hit by the values on both sides of its face. An enclosure that is not finite
+/// overlaps everything.
 enum class Wall
 {
   None,
@@ -152,7 +152,7 @@ void JumpWalls::Review(
     std::ranges::transform(all, xi.begin(), member);
     return xi;
   };
-  // What has a face on both sides is met from one of them.
+  // A face of two elements is met from one of them.
   std::vector<OneHit> met;
   const std::vector<BehindFace> behind = BehindHits(part, hits, first);
   for (std::size_t i = 0; i < behind.size(); ++i)
@@ -164,7 +164,7 @@ void JumpWalls::Review(
     }
   }
   hits.resize(first);
-  // Elements that several hits have in common are asked for all of them at once.
+  // Hits that share the element behind are evaluated together.
   for (std::size_t begin = 0, end = 0; begin < met.size(); begin = end)
   {
     const int other = met[begin].behind.element;

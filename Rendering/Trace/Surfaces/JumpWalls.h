@@ -9,22 +9,24 @@
 
 namespace pixelexact
 {
-/// The parts of faces between elements across which a component of a field jumps from below a value
-/// to above it: what an iso-surface lacks there to be the boundary between less and more.
+/// The parts of faces between elements across which a field's component jumps from below a value to
+/// above it. Together with the iso-surface they are the complete boundary between smaller and
+/// larger values.
 ///
-/// A hit is Certain where the proven enclosures of the values on both sides lie on different sides
-/// of the value, none where both values lie on the same side of it, or where their enclosures meet
-/// each other, so that no jump is proven; else, or where what lies behind the face is not known,
-/// Undecided. Values are those of
-/// the element that hits tell: of two elements the one with the lower number.
+/// A hit is Certain if the proven enclosures of the values on both sides lie on different sides of
+/// the value. There is no hit if both values lie on the same side, or if their enclosures overlap,
+/// so that no jump is proven. Otherwise, or if what lies behind the face is unknown, the hit is
+/// Undecided. Values are those of the element that the hit stores: of two elements, the one with
+/// the lower number.
 ///
-/// Faces on which both sides agree to 1e-12 of the field's largest value near them, at points that
-/// tell their polynomials apart, are left out at once. No faces: nothing is met.
+/// Faces are omitted if both sides agree to 1e-12 of the field's largest value near them, at points
+/// that determine their polynomials. Without faces, no ray meets the surface.
 class JumpWalls final : public CurvedSurface
 {
 public:
-  /// Throws Unsupported for mapped fields (H(curl), H(div), density). `component`: of the field, or
-  /// kMagnitude. Locator and field must outlive the surface; the table is not used afterwards.
+  /// `component`: of the field, or kMagnitude. Locator and field must outlive the surface; the
+  /// table is not used after construction. Throws Unsupported for mapped fields (H(curl), H(div),
+  /// density).
   JumpWalls(const Locator& locator, const FaceTable& table, const Field& field, int component,
     double value);
 
@@ -37,13 +39,13 @@ protected:
 private:
   JumpWalls(const Locator& locator, const JumpFaces& faces, const CurvedEquation& equation);
   struct OneHit;
-  /// What lies behind hits of a part, from number `first` on.
+  /// FindBehind's results at hits of a part, from number `first` on.
   [[nodiscard]] std::vector<BehindFace> BehindHits(
     const CurvedPart& part, const std::vector<CurvedHit>& hits, std::size_t first) const;
-  /// On which side of the sought value an element's are: -1 below, 1 above, 0 too near to tell
-  /// without a proof.
+  /// The side of the sought value on which an element's values lie: -1 below, 1 above, 0 too close
+  /// to decide without an enclosure.
   [[nodiscard]] std::vector<int> SidesAt(int element, std::span<const Vec3> xi) const;
-  /// Enclosures of what is compared (of a magnitude, its square) at points of an element.
+  /// Enclosures of the compared quantity (for a magnitude, its square) at points of an element.
   [[nodiscard]] std::vector<Interval> EnclosuresAt(
     int element, std::span<const Vec3> xi, std::span<const Vec3> x) const;
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-// Sums and products of pairs, one at a time: for the coefficients of surfaces. As Pair-inl.h, whose
-// error bounds hold here too.
+// Sums and products of pairs of doubles, one at a time, for the coefficients of surfaces. The error
+// bounds of Pair-inl.h hold here.
 namespace pixelexact
 {
 /// a + b, exactly.
@@ -46,14 +46,14 @@ inline DoublePair operator*(double a, const DoublePair& b)
 {
   return DoublePair{ a, 0.0 } * b;
 }
-/// Off by a few 2^-106 of it.
+/// Relative error: a few 2^-106.
 inline DoublePair operator/(const DoublePair& a, const DoublePair& b)
 {
   const double high = a.high / b.high;
   const DoublePair rest = a - high * b;
   return ExactSum(high, rest.high / b.high);
 }
-/// Of a number above 0; off by a few 2^-106 of it.
+/// The square root of a positive number. Relative error: a few 2^-106.
 inline DoublePair SquareRoot(const DoublePair& a)
 {
   const double high = std::sqrt(a.high);
@@ -61,7 +61,7 @@ inline DoublePair SquareRoot(const DoublePair& a)
   return ExactSum(high, rest.high / (2.0 * high));
 }
 
-/// Exactly, unless it underflows.
+/// Exact, unless it underflows.
 inline DoublePair TimesPowerOfTwo(const DoublePair& a, int exponent)
 {
   return { std::ldexp(a.high, exponent), std::ldexp(a.low, exponent) };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays about their point that is closest to a centre, in pairs: what is far away is taken off
-// before anything is squared. Included once per instruction set.
+// Rays about their point closest to a centre, in pairs of doubles: the distant origin is subtracted
+// before coordinates are squared. Included once per instruction set.
 //
-// Nothing here is contracted but what is exact either way, so that all instruction sets give the
-// same bits.
+// Only operations that are exact with and without contraction are contracted, so that all
+// instruction sets give the same bits.
 #if defined(PIXELEXACT_PAIR_RAY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_PAIR_RAY_INL_H
 #undef PIXELEXACT_PAIR_RAY_INL_H
@@ -26,15 +26,16 @@ HWY_INLINE Lanes PlainDot(const Lanes (&a)[3], const Lanes (&b)[3])
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// a + b, exactly unless a is the smaller one by its exponent.
+/// a + b, exactly unless a's exponent is the smaller one.
 HWY_INLINE Pair FastSum(Lanes a, Lanes b)
 {
   const Lanes sum = a + b;
   return { sum, b - (sum - a) };
 }
 
-/// A sum whose rounding errors are summed apart: n terms leave 2 n u^2 of the sum of their sizes
-/// (T. Ogita, S. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput. 26, 2005).
+/// A sum whose rounding errors are summed separately. n terms have an error of 2 n u^2 of the sum
+/// of their magnitudes (T. Ogita, S. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci.
+/// Comput. 26, 2005).
 struct PairSum
 {
   Lanes high;
@@ -96,7 +97,7 @@ HWY_INLINE Pair Times(const Pair& a, const Pair& b)
   const Pair product = Term(a, b);
   return FastSum(product.high, product.low);
 }
-/// a / b, its low part only nearly normalised; `reciprocal` is that of b, rounded.
+/// a / b; its low part is only nearly normalised. `reciprocal`: 1 / b, rounded.
 HWY_INLINE Pair Over(const Pair& a, const Pair& b, Lanes reciprocal)
 {
   const Lanes high = a.high * reciprocal;
@@ -123,7 +124,7 @@ struct PairRay
   Lanes d[3];
   Pair squaredLength; ///< d.d
 
-  /// About t0 = `middle`. It need not be exact: what it is off by is in p.
+  /// The ray about t0 = `middle`, which need not be exact: p contains the difference.
   HWY_INLINE PairRay(const RayLanes& rays, int at, const Lanes (&centre)[3], Lanes middle)
     : t0(middle)
   {
@@ -158,7 +159,7 @@ struct PairRay
       });
   }
 
-  /// x(t0 + s) from its middle, each coordinate rounded once.
+  /// x(t0 + s) from the middle; each coordinate is rounded once.
   HWY_INLINE void PositionAt(const Pair (&middle)[3], const Pair& s, Lanes (&position)[3]) const
   {
     ForEachAxis(
@@ -178,13 +179,13 @@ struct PairRay
   }
 };
 
-/// The lanes that are rays, of the pack that begins with ray `at`.
+/// The lanes that hold rays, of the pack that begins with ray `at`.
 HWY_INLINE LaneMask RaysOfPack(int at, int count)
 {
   return hwy::HWY_NAMESPACE::FirstN(LaneTag(), static_cast<std::size_t>(count - at));
 }
 
-/// Which t are between the rays' ends; a NaN is not, nor what is infinite.
+/// The t between the rays' ends; NaN and infinite t are not.
 HWY_INLINE LaneMask WithinEnds(const RayLanes& rays, int at, Lanes t)
 {
   using Traits = NumberTraits<Lanes>;

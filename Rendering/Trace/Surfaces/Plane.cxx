@@ -39,7 +39,7 @@ Plane::Crossing Plane::Cross(const Ray& ray) const
 {
   const double t = glm::dot(UnitNormal, Origin - ray.origin) / glm::dot(UnitNormal, ray.direction);
   const Vec3 x = ray.origin + t * ray.direction;
-  // As the kernel does: the rounding of t moves x off the plane.
+  // As in the kernel: the rounding of t moves x off the plane, and the correction moves it back.
   return { t, x - UnitNormal * glm::dot(UnitNormal, x - Origin) };
 }
 

@@ -9,8 +9,8 @@ namespace pixelexact
 class Plane final : public Surface
 {
 public:
-  /// Throws Error when the normal is zero or a number is not finite. The normal need not be of
-  /// unit length.
+  /// Throws Error if the normal is zero or a number is not finite. The normal need not have unit
+  /// length.
   Plane(const Vec3& origin, const Vec3& normal);
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
@@ -20,18 +20,19 @@ public:
   [[nodiscard]] double Reach(const Chord& chord) const override;
   [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
   [[nodiscard]] std::vector<SurfacePatch> Implicit() const override;
-  /// One of its points.
+  /// A point of the plane, the origin.
   [[nodiscard]] const Vec3& Point() const { return Origin; }
 
-  /// Where the line of a ray meets it: `t` of either sign; infinite or NaN where it does not.
+  /// Intersection of a ray's line with the plane: `t` may be negative, and is infinite or NaN if
+  /// there is none.
   struct Crossing
   {
     double t;
-    Vec3 position; ///< as Meet tells it
+    Vec3 position; ///< the same bits as Meet's
   };
   [[nodiscard]] Crossing Cross(const Ray& ray) const;
 
-  /// The point that it was made of.
+  /// The point that the plane was constructed from.
   [[nodiscard]] const Vec3& Through() const { return Origin; }
 
 private:

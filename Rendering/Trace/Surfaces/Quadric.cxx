@@ -29,7 +29,7 @@ int ExponentOf(const DoublePair* numbers, int count)
   return largest;
 }
 
-/// The place of Q(i, j) in QuadraticForm::Q.
+/// The index of Q(i, j) in QuadraticForm::Q.
 int At(int i, int j)
 {
   return i == j ? i : (i + j == 1 ? 3 : (i + j == 3 ? 4 : 5));
@@ -52,7 +52,7 @@ PairVec3 Apply(const DoublePair (&Q)[6], const PairVec3& x)
   return y;
 }
 
-/// f(linear x + offset), about the point that the map takes nearly to the old centre.
+/// f(linear x + offset), centred at the approximate preimage of the form's centre.
 QuadraticForm Moved(const QuadraticForm& form, const AffineMap& map, const char* what)
 {
   const Mat3& M = map.linear;
@@ -90,7 +90,7 @@ QuadraticForm Moved(const QuadraticForm& form, const AffineMap& map, const char*
   return moved;
 }
 
-/// Times a power of two, so that B^2 and A C are of size 1 for rays at the size of the surface.
+/// Multiplies by a power of two, so that B^2 and A C are of size 1 for rays at the surface's scale.
 void Scale(QuadraticForm& form)
 {
   const int q = ExponentOf(form.Q, 6);
@@ -102,7 +102,7 @@ void Scale(QuadraticForm& form)
   {
     size = q;
   }
-  // Their squares, too, are below the largest numbers.
+  // Keeps squares below the largest number.
   size = std::max(size, std::max({ q, b, k }) - 300);
   for (DoublePair& number : form.Q)
   {
@@ -137,7 +137,7 @@ QuadraticForm AroundAxis(
   form.centre = centre;
   for (int i = 0; i < 3; ++i)
   {
-    // The off-axis squares one by one: nothing cancels.
+    // The squares of the other two coordinates are added, which avoids cancellation.
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
     form.Q[At(i, i)] = across * (ExactProduct(a[j], a[j]) + ExactProduct(a[k], a[k])) -
@@ -147,14 +147,14 @@ QuadraticForm AroundAxis(
   return form;
 }
 
-/// The same form over across a.a, less its constant k.
+/// AroundAxis divided by across a.a, without the constant k.
 AxisForm RoundAbout(
   const Vec3& centre, const Vec3& a, const DoublePair& across, const DoublePair& along)
 {
   AxisForm form;
   form.centre = centre;
   const DoublePair stretch = (across + along) / across;
-  // Along a coordinate the axis' length is exact.
+  // The length of an axis along a coordinate is exact.
   const bool isExact = LargestOf(a) == std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
   const DoublePair factor = SquareRoot(isExact ? stretch : stretch / SquaredLength(a));
   for (int d = 0; d < 3; ++d)
@@ -165,7 +165,7 @@ AxisForm RoundAbout(
   return form;
 }
 
-/// The squares of an angle's sine and cosine, off by some 2^-100 of them.
+/// The squares of an angle's sine and cosine, with relative errors of some 2^-100.
 struct Squares
 {
   DoublePair sine;
@@ -178,7 +178,7 @@ Squares SquaresOf(double degrees)
   const bool isSteep = degrees > 45.0;
   const DoublePair angle =
     (isSteep ? ExactSum(90.0, -degrees) : DoublePair{ degrees, 0.0 }) * kPi / DoublePair{ 180.0 };
-  // Taylor's series: of at most 45 degrees, 28 terms leave less than 2^-110.
+  // Taylor's series: for at most 45 degrees, 28 terms leave less than 2^-110.
   DoublePair sine;
   DoublePair cosine{ 1.0, 0.0 };
   DoublePair term{ 1.0, 0.0 };
@@ -198,7 +198,7 @@ Quadric::Quadric(const QuadraticForm& form, const AffineMap& toFunction, const c
 {
   if (!toFunction.IsIdentity())
   {
-    // Scaled before and after, so that nothing overflows on the way.
+    // Scaled before and after, so that no intermediate result overflows.
     Scale(Form);
     Form = Moved(Form, toFunction, what);
   }
@@ -303,7 +303,7 @@ Quadric MakeCone(
   const Vec3 a = ScaledDirection(axis, "cone", "axis");
   const Squares squares = SquaresOf(halfAngleDegrees);
   Quadric cone(AroundAxis(apex, a, squares.cosine, squares.sine), toFunction, "cone");
-  // A needle is the small difference of |x|^2 and (v.x)^2: v's rounding would be that of its angle.
+  // For a slender cone, |x|^2 - (v.x)^2 cancels, and v's rounding would change its angle.
   cone.IsRound = toFunction.IsIdentity() && halfAngleDegrees >= 1.0;
   cone.Round = RoundAbout(apex, a, squares.cosine, squares.sine);
   return cone;
@@ -320,7 +320,7 @@ Quadric MakeQuadric(const std::array<double, 10>& a, const AffineMap& toFunction
     }
     largest = std::max(largest, std::fabs(number));
   }
-  // Children of the largest and the smallest numbers, too, are exact.
+  // After scaling, the division of the largest and smallest coefficients by two is exact.
   const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;
   const auto scaled = [&](std::size_t i, int more) {
     return DoublePair{ std::ldexp(a[i], -exponent - more), 0.0 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far quadrics are off chords.
+// Bounds of the distance of quadrics from chords.
 #include "Trace/Surfaces/Quadric.h"
 
 #include "Core/Math/Rounding.h"
@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-/// The largest row sum of Q's magnitudes: no smaller than its norm.
+/// The largest row sum of Q's magnitudes, an upper bound of its norm.
 double SizeOf(const QuadraticForm& form)
 {
   const auto size = [&](std::size_t k) { return std::fabs(form.Q[k].high); };
@@ -24,7 +24,7 @@ double SizeOf(const QuadraticForm& form)
     (1.0 + 1e-14);
 }
 
-/// Q y, to 16 roundoffs of SizeOf times |y|.
+/// Q y, with an error of at most 16 roundoffs of SizeOf times |y|.
 Vec3 Turned(const QuadraticForm& form, const Vec3& y)
 {
   const double xy = form.Q[3].high;
@@ -34,7 +34,7 @@ Vec3 Turned(const QuadraticForm& form, const Vec3& y)
     xz * y.x + yz * y.y + form.Q[2].high * y.z };
 }
 
-/// No farther from zero than this f is at a point where half its gradient is h.
+/// Lower and upper bound of |f| at a point where half its gradient is h.
 struct ValueBounds
 {
   double least;
@@ -67,11 +67,11 @@ double Quadric::SagittaOver(const std::array<Ray, 3>& rays, const std::array<Vec
 
 double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hits) const
 {
-  // At c = sum w_i A_i, w_i >= 0 of sum 1, f(c) = -sum_{i<j} w_i w_j q(A_i - A_j), q the quadratic
-  // part, because f vanishes at all A_i; sum_{i<j} w_i w_j is at most (1 - 1 / n) / 2. Along the
-  // ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h half the gradient, has a root with
-  // |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long as that holds it is the one that
-  // goes from hit to hit.
+  // At c = sum w_i A_i, w_i >= 0 with sum 1, f(c) = -sum_{i<j} w_i w_j q(A_i - A_j), where q is the
+  // quadratic part, because f vanishes at all A_i; sum_{i<j} w_i w_j is at most (1 - 1 / n) / 2.
+  // Along the ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), where h is half the
+  // gradient. It has a root with |t| <= |f(c)| / |h.d| if |h.d|^2 >= |f(c)| |q|. While this holds,
+  // the root leads continuously from hit to hit.
   const double largest = SizeOf(Form);
   const Vec3 b(Form.b[0].high, Form.b[1].high, Form.b[2].high);
   double way = 0.0;
@@ -98,17 +98,17 @@ double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hi
       turn = std::max(turn, glm::length(turned));
     }
   }
-  // In doubles: what they leave of h is far less than it turns along chords that are not tiny.
+  // Doubles suffice: on chords that are not tiny, their error of h is far less than h's change.
   const Vec3 slope = Turned(Form, hits[0] - Form.centre) + b;
   const double unsure = 32.0 * kUnitRoundoff * (largest * way + glm::length(b));
   turn += 32.0 * kUnitRoundoff * largest * std::sqrt(chord);
   const double length = glm::length(slope) + turn + unsure;
   const double across =
     std::fabs(glm::dot(slope, rays[0].direction)) - 2.0 * unsure - turn - length * spread;
-  // The hits are off by rounding.
+  // Rounding of the hits.
   const double off = 0.5 * (1.0 - 1.0 / static_cast<double>(hits.size())) * bulge +
     1e-14 * (2.0 * length * farthest + largest * chord);
-  // Written so that a NaN is not known.
+  // The comparison makes a NaN infinite.
   return across > 0.0 && across * across >= 2.0 * off * largest
     ? off / across * (1.0 + 1e-9)
     : std::numeric_limits<double>::infinity();
@@ -116,8 +116,8 @@ double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hi
 
 double Quadric::Reach(const Chord& chord) const
 {
-  // f changes by q(B - A) / 4 from the straight line between its ends' values at most. Half its
-  // gradient is linear along the chord, and changes by |Q| times the way beside it.
+  // f differs by at most q(B - A) / 4 from linear interpolation between the chord's ends. Half its
+  // gradient is linear along the chord, and changes by at most |Q| times the distance from it.
   const Vec3 slopes[2] = { HalfGradient(chord.from), HalfGradient(chord.to) };
   const double largest = SizeOf(Form);
   const double radius = chord.Radius();

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// The roots of A s^2 + 2 B s + C in order; what is not finite is none.
+/// The roots of A s^2 + 2 B s + C in order; roots that are not finite do not count.
 struct TwoRoots
 {
   Pair first;
@@ -29,7 +29,7 @@ HWY_INLINE Pair Discriminant(const Pair& A, const Pair& B, const Pair& C)
   return FastSum(difference.high, difference.low + (square.low - product.low));
 }
 
-/// Slots 0 and 1, asked for when the first hit comes.
+/// Slots 0 and 1, requested at the first hit.
 class TwoSlots
 {
 public:
@@ -43,7 +43,7 @@ public:
   {
     const Lanes t1 = ray.TimeAt(roots.first);
     const Lanes unordered = ray.TimeAt(roots.second);
-    // Rounding may put roots that are hardly apart into the wrong order.
+    // Rounding may reverse the order of two roots that nearly coincide.
     const Lanes t2 = Select(unordered < t1, t1, unordered);
     const LaneMask any = And(roots.any, RaysOfPack(at, Rays.count));
     const LaneMask in1 = And(any, WithinEnds(Rays, at, t1));
@@ -85,9 +85,9 @@ private:
   int Count = 0;
 };
 
-/// A pack of rays in doubles, from their origins: to skip those that surely meet nothing. Each has
-/// a discriminant that is off by some dozen roundings of the sum of its terms' sizes; one below
-/// -2^-46 of this sum is that of a miss. A NaN is not.
+/// A pack of rays in doubles, from their origins, to skip rays that are proven to miss. The error
+/// of each discriminant is some dozen roundings of the sum of its terms' magnitudes. A discriminant
+/// below -2^-46 of this sum proves a miss. A NaN does not.
 struct PlainRay
 {
   Lanes y[3];
@@ -108,8 +108,8 @@ struct PlainRay
     yd = PlainDot(y, d);
   }
 
-  /// Whether a lane that is a ray may meet the surface: its discriminant, and what this may be off
-  /// by, over |y|^2 and besides.
+  /// A ray of the pack may meet the surface. The discriminant's error is `perSquare` |y|^2 +
+  /// `rest`.
   [[nodiscard]] HWY_INLINE bool MayMeet(
     const RayLanes& rays, int at, Lanes discriminant, double perSquare, double rest) const
   {
@@ -140,8 +140,8 @@ void MeetSphere(
     PairSum sum = SumOfTerms(ray.p, ray.p);
     sum.Add(minusSquare);
     const Pair C = sum.Get();
-    // Of the size of t0's rounding, since p is closest to the centre: its own rounding, and that
-    // of its square, is of the size of p's. So is what FastSum loses where B is not the smaller.
+    // p is closest to the centre, so B has the size of t0's rounding. The rounding of B and B^2,
+    // and the loss of FastSum where B is not the smaller one, have the size of p's rounding.
     const PairSum product = SumOfTerms(ray.p, ray.d);
     const Lanes minusB = zero - (product.high + product.low);
     const Pair AC = Term(A, C);
@@ -163,7 +163,7 @@ void MeetSphere(
   }
 }
 
-/// By the sum that does not cancel, so that a root stays right when A vanishes.
+/// Uses the sum that does not cancel, so that a root stays accurate if A vanishes.
 HWY_INLINE TwoRoots RootsOf(const Pair& A, const Pair& B, const Pair& C, const Pair& D)
 {
   const Lanes zero = Splat(0.0);

@@ -24,14 +24,15 @@ struct AxisForm
   DoublePair k;
 };
 
-/// Hits in lanes: dispatched at run time to the instruction set. All of them give the same bits.
+/// Intersection kernels in lanes, dispatched at run time to the instruction set. All of them give
+/// the same bits.
 struct QuadricKernels
 {
   void (*meetSphere)(
     const Vec3& centre, const DoublePair& squaredRadius, const RayLanes& rays, HitSlots& hits);
   void (*meetRound)(const AxisForm& form, const RayLanes& rays, HitSlots& hits);
   void (*meetQuadric)(const QuadraticForm& form, const RayLanes& rays, HitSlots& hits);
-  /// Of a form without b.
+  /// For a form with b = 0.
   void (*meetCentred)(const QuadraticForm& form, const RayLanes& rays, HitSlots& hits);
 };
 

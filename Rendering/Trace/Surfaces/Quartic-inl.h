@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// c[0] + c[1] s + ...; S is Lanes or a Pair.
+/// The value of c[0] + c[1] s + ...; S is Lanes or a Pair.
 template <int N, class S>
 HWY_INLINE Pair Horner(const Pair (&c)[N], const S& s)
 {
@@ -50,10 +50,10 @@ HWY_INLINE Lanes RoughValue(const Pair (&c)[N], Lanes s)
   return value;
 }
 
-/// Newton's steps from s, in lanes that are `wanted`, to where the function changes its sign
-/// between low and high; it rises in those that are `rising`. They are kept between ends whose
-/// signs are known, with bisection now and then: near a multiple root they would creep. They end
-/// when they are no longer than `tolerance`.
+/// Newton's steps from s, in the lanes `wanted`, to the sign change of a function between low and
+/// high; the function rises in the lanes `rising`. Steps stay between ends with known signs, and
+/// every fourth step is a bisection, because Newton's method converges slowly near a multiple root.
+/// The search ends when steps are at most `tolerance`.
 template <class Value, class Slope>
 HWY_INLINE Lanes Search(const Value& valueAt, const Slope& slopeAt, Lanes low, Lanes high, Lanes s,
   LaneMask rising, LaneMask wanted, int mostSteps, double tolerance)
@@ -80,8 +80,8 @@ HWY_INLINE Lanes Search(const Value& valueAt, const Slope& slopeAt, Lanes low, L
   return s;
 }
 
-/// Where a polynomial that is monotone between low and high changes its sign, to the precision of a
-/// double: from a guess in doubles, by signs in pairs.
+/// The sign change of a polynomial that is monotone between low and high, to the precision of a
+/// double. Starts from a search in doubles and uses signs in pairs.
 template <int N>
 HWY_INLINE Lanes SignChange(
   const Pair (&c)[N], Lanes low, Lanes high, LaneMask rising, LaneMask wanted)
@@ -93,29 +93,29 @@ HWY_INLINE Lanes SignChange(
     guess, rising, wanted, 240, 0x1p-53);
 }
 
-/// A root of a quartic between low and high: by Newton's step from the precision of a double to
-/// that of the coefficients.
+/// Refines a root of a quartic between low and high by one Newton step, from the precision of a
+/// double to that of the coefficients.
 HWY_INLINE Pair Polished(const Pair (&c)[5], Lanes root, Lanes low, Lanes high)
 {
   const Lanes zero = Splat(0.0);
   const Lanes change = Horner(c, root).high / SlopeOf(c, root);
   const Lanes moved = root - change;
-  // A longer one would not be of rounding, but of a slope that vanishes.
+  // A longer step results from a vanishing slope, not from rounding.
   const LaneMask small = And(Abs(change) <= Splat(0x1p-40), And(low <= moved, moved <= high));
   return FastSum(root, Select(small, zero - change, zero));
 }
 
-/// The only root of a quartic between low and high, from one in doubles. The quartic is that of a
-/// torus: |f''| <= 24, and f is above 2^-24 in size at low and high. A lane has `failed` where this
-/// cannot be told to be so.
+/// Refines the only root of a quartic between low and high from an approximation in doubles. The
+/// quartic must be that of a torus: |f''| <= 24, and |f| > 2^-24 at low and high. `failed` is set
+/// in lanes where this is not proven.
 HWY_INLINE Pair PolishedNear(
   const Pair (&c)[5], Lanes root, Lanes low, Lanes high, LaneMask wanted, LaneMask& failed)
 {
   const Lanes zero = Splat(0.0);
   // Newton's step from s is `change`. By Kantorovich's theorem there is a root within twice the
-  // step if |f''| times it is at most |f'| / 2; and it is between low and high, as no other is so
-  // near to them. What is left is at most (12 change^2 + slope's error |change|) / |f'|; enough is
-  // what f's own rounding leaves.
+  // step if |f''| times the step is at most |f'| / 2. It lies between low and high, because no
+  // other root is so close to these. The remaining error is at most (12 change^2 + slope's error
+  // |change|) / |f'|. The iteration ends when it is below the effect of f's rounding.
   const auto isLeft = [&](Lanes change) PIXELEXACT_INLINED
   { return Splat(0x1p-93) < change * (Splat(12.0) * change + Splat(0x1p-46)); };
   const Pair value = Horner(c, root);

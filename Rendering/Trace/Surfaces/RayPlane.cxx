@@ -18,9 +18,9 @@ RayPlane::RayPlane(const Chord& chord)
   const double size = glm::length(normal);
   Normal = normal / size;
   Across = glm::cross(Normal, e);
-  // Directions between the two are sums of them with factors above 0, and so are what is
-  // perpendicular to them: what is true of both is true of all. The sine of the angle to the chord
-  // is least at one of the two.
+  // Directions between the two are positive combinations of them, and so are the vectors
+  // perpendicular to them. A sign that holds for both therefore holds for all. The sine of the
+  // angle to the chord is least at one of the two.
   LeastSine = 1.0;
   Known = true;
   const Vec3 directions[2] = { chord.a.direction, chord.b.direction };
@@ -28,7 +28,7 @@ RayPlane::RayPlane(const Chord& chord)
   {
     Forward[k] = glm::cross(directions[k], Normal);
     const double sine = glm::dot(Forward[k], e);
-    // Written so that a NaN is not known.
+    // The comparison makes a NaN unknown.
     Known = Known && sine > 0.0 && sine * Length > 4.0 * Slack;
     LeastSine = std::min(LeastSine, sine);
   }
@@ -41,7 +41,7 @@ double RayPlane::Height(const Vec3& x) const
 
 double RayPlane::Uncertainty(const Vec3& x) const
 {
-  // The chord may be turned by what its ends are off.
+  // The errors of the chord's ends may rotate the chord.
   return 2.0 * Slack * (1.0 + glm::distance(x, Start) / (LeastSine * Length));
 }
 

@@ -5,26 +5,27 @@
 
 namespace pixelexact
 {
-/// The plane in which the rays of a chord lie: where a surface made of pieces is followed from one
-/// end to the other, piece by piece.
+/// The plane of a chord's rays. Surfaces made of pieces are followed in it from one end to the
+/// other, piece by piece.
 class RayPlane
 {
 public:
   explicit RayPlane(const Chord& chord);
 
-  /// Whether the rays are so far from the chord's direction that they span a plane with it, and all
-  /// of them pass it in the same direction.
+  /// The rays' directions differ enough from the chord's to span a plane with it, and all rays
+  /// cross the chord in the same direction.
   [[nodiscard]] bool IsKnown() const { return Known; }
-  /// Of a point over it.
+  /// Signed distance of a point from the plane.
   [[nodiscard]] double Height(const Vec3& x) const;
-  /// How far off that may be, by rounding of the chord and the rays.
+  /// Largest error of Height(x), by rounding of chord and rays.
   [[nodiscard]] double Uncertainty(const Vec3& x) const;
   /// The nearest point of the plane.
   [[nodiscard]] Vec3 Onto(const Vec3& x) const { return x - Height(x) * Normal; }
-  /// How far a step leads across the rays, at least: above 0 it leads from rays to such as are
-  /// nearer to b, wherever between the two it is.
+  /// Lower bound of a step's length across the rays. If positive, the step leads towards b's ray,
+  /// anywhere between the two rays.
   [[nodiscard]] double Progress(const Vec3& from, const Vec3& to) const;
-  /// How far a point of the plane is from the chord, at most, along any direction between the two.
+  /// Largest distance of a point of the plane from the chord, along any direction between the two
+  /// rays'.
   [[nodiscard]] double OffChord(const Vec3& x) const;
 
 private:

@@ -24,18 +24,18 @@ constexpr int kMaxRounds = 4; ///< of samples in gaps that the search met
 constexpr double kTolerance = 4.0 * kUnitRoundoff;
 constexpr double kJump = 1e-9;
 
-/// A place on a ray's segment, 0 and 1 are the ends, and the value there.
+/// A parameter on a ray's segment, 0 at its begin and 1 at its end, and the value there.
 struct PlaceValue
 {
   double s, f;
 };
 
-/// Between a place where f is finite and one where it is not.
+/// An interval between a place where f is finite and one where it is not.
 struct Edge
 {
   int ray;
-  PlaceValue last; ///< where it is
-  double beyond;   ///< where it is not
+  PlaceValue last; ///< f is finite here
+  double beyond;   ///< f is not finite here
 
   [[nodiscard]] double Next() const { return last.s + 0.5 * (beyond - last.s); }
   void Narrow(double f)
@@ -51,7 +51,7 @@ struct Edge
   }
 };
 
-/// A change of sign, in s as PlaceValue.
+/// An interval with a change of sign; places as in PlaceValue.
 struct Bracket
 {
   int ray;
@@ -86,7 +86,7 @@ struct Bracket
     }
     const double width = std::fabs(b - a);
     done = f == 0.0 || !(width > tolerance);
-    // Where inverse quadratic interpolation is safe.
+    // Inverse quadratic interpolation is safe here.
     const double x = (a - b) / (c - b);
     const double y = (fa - fb) / (fc - fb);
     const double least = 0.5 * tolerance / width;
@@ -102,11 +102,11 @@ struct Bracket
   [[nodiscard]] double Left() const { return std::min(std::fabs(fa), std::fabs(fb)); }
 };
 
-/// How large and how steep f is at the samples of a ray.
+/// The largest value and slope of f at the samples of a ray.
 struct Sizes
 {
   double largest = 0.0;
-  double steepest = 0.0; ///< by s
+  double steepest = 0.0; ///< per s
 
   void Add(const PlaceValue& before, const PlaceValue& here)
   {
@@ -122,14 +122,14 @@ struct Sizes
 struct SearchScratch
 {
   std::vector<std::optional<Segment>> segments;
-  std::vector<std::vector<double>> places; ///< sampled, per ray
+  std::vector<std::vector<double>> places; ///< sampled places, per ray
   std::vector<Vec3> points;
   std::vector<double> values;
   std::vector<PlaceValue> samples; ///< of all rays, one after the other
   std::vector<Edge> edges;         ///< by ray and place
   std::vector<Bracket> brackets;
   std::vector<Sizes> sizes; ///< per ray
-  std::vector<int> slots;   ///< used, per ray
+  std::vector<int> slots;   ///< count of used slots, per ray
 
   [[nodiscard]] Vec3 At(int ray, double s) const
   {
@@ -138,7 +138,7 @@ struct SearchScratch
   }
 };
 
-/// The places of one ray: even ones and those that f asks for, ascending.
+/// The places of one ray, ascending: evenly spaced ones and those that f requests.
 void FindPlaces(
   const SampledFunction& f, const Segment& segment, int samples, std::vector<double>& places)
 {
@@ -155,7 +155,8 @@ void FindPlaces(
   }
 }
 
-/// Evaluates f where all that are not done want it next, until they are.
+/// Evaluates f at the next places of all searches that are not done, until all are done or after
+/// `steps` steps.
 template <class Searches, class IsDone, class Narrow>
 void Search(const SampledFunction& f, SearchScratch& scratch, Searches& searches, int steps,
   const IsDone& isDone, const Narrow& narrow)
@@ -187,7 +188,7 @@ void Search(const SampledFunction& f, SearchScratch& scratch, Searches& searches
   }
 }
 
-/// Samples the rays.
+/// Samples f along the rays.
 void TakeSamples(const SampledFunction& f, SearchScratch& scratch)
 {
   scratch.points.clear();
@@ -234,7 +235,8 @@ void FindEdges(const SampledFunction& f, SearchScratch& scratch)
     [](Edge& edge, double value) { edge.Narrow(value); });
 }
 
-/// The changes of sign on one ray, and the sizes, by the places where f is finite.
+/// Collects the changes of sign and the sizes on one ray, from consecutive places where f is
+/// finite.
 class SignChanges
 {
 public:
@@ -255,7 +257,7 @@ public:
     {
       SizesOfRay.Add(Before, here);
     }
-    // A zero belongs to the interval that ends there, or begins the first one.
+    // A zero belongs to the interval that ends at it, or else begins the first interval.
     const bool zero = here.f == 0.0 || (Places == 1 && Before.f == 0.0);
     const bool crossed = (Before.f < 0.0 && here.f > 0.0) || (Before.f > 0.0 && here.f < 0.0);
     if (Places > 0 && (zero || crossed))
@@ -265,7 +267,7 @@ public:
     Before = here;
     ++Places;
   }
-  /// f is not finite behind the latest place.
+  /// f is not finite after the latest place.
   void End() { Places = 0; }
 
 private:
@@ -303,7 +305,7 @@ void FindBrackets(SearchScratch& scratch)
     }
   }
 }
-/// Makes samples of the places where brackets met gaps; false where none did.
+/// Adds the places where brackets met gaps as samples. Returns false if there are none.
 bool SampleGaps(SearchScratch& scratch)
 {
   bool any = false;
@@ -319,7 +321,7 @@ bool SampleGaps(SearchScratch& scratch)
   return any;
 }
 
-/// Whether what is left of f where the search ended is more than rounding explains.
+/// The value of f where the search ended exceeds what rounding explains.
 bool IsJump(const Bracket& bracket, const SearchScratch& scratch)
 {
   const auto ray = static_cast<std::size_t>(bracket.ray);

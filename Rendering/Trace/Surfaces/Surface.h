@@ -19,78 +19,79 @@ namespace pixelexact
 class EdgeWork;
 struct Field;
 
-/// A cut-surface: where rays meet it (paper, section 5.1.1). One file each. Two kinds: a space
-/// surface knows no mesh; a mesh surface is made of elements, and tells its hits' element and xi
-/// (HitSlots::Elements).
+/// A cut-surface, and its intersection with rays (paper, section 5.1.1). There are two kinds. A
+/// space surface does not depend on a mesh. A mesh surface consists of parts of elements and stores
+/// element and xi of each hit (HitSlots::Elements).
 class Surface
 {
 public:
   virtual ~Surface() = default;
 
-  /// All hits of each ray with tNear <= t <= tFar, once each, in order. Called from several threads
-  /// at once (but see NeedsCallingThread), with some rays of a tile, which are neighbours in the
-  /// image. A ray's hits depend on that ray alone. What it throws ends the frame.
+  /// Finds all hits of each ray with tNear <= t <= tFar, once and in order of t. The rays are
+  /// neighbours in the image. Called from several threads at once, except as NeedsCallingThread
+  /// states. A ray's hits depend on that ray alone. An exception ends the frame.
   virtual void Meet(const RayLanes& rays, HitSlots& hits) const = 0;
 
-  /// The unit normal at a point of the surface that Meet found, on either side.
+  /// The unit normal, in either direction, at a point that Meet found.
   [[nodiscard]] virtual Vec3 Normal(const SurfacePoint& point) const = 0;
 
-  /// The same of several points.
+  /// The unit normals at several points.
   virtual void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const;
 
-  /// Whether normals are asked for together: many of them cost little more than one.
+  /// Normals are requested in batches, because one call for many costs little more than for one.
   [[nodiscard]] virtual bool HasCostlyNormals() const { return NeedsCallingThread(); }
 
-  /// Whether it asks somebody who answers the thread alone that called the tracer, and many
-  /// questions as fast as one. All tiles are then traced by that thread, one after the other.
+  /// Must be evaluated on the thread that called the tracer (Python callbacks). That thread then
+  /// traces all tiles, one after the other.
   [[nodiscard]] virtual bool NeedsCallingThread() const { return false; }
 
-  /// Whether its normal is everywhere the same: it is then not lit unless asked for.
+  /// The normal is the same everywhere; such a surface is lit only on request.
   [[nodiscard]] virtual bool IsFlat() const { return false; }
 
-  /// Whether it is a plane without end, which goes on where the mesh ends.
+  /// The surface is an infinite plane, which continues outside the mesh.
   [[nodiscard]] virtual bool IsPlane() const { return false; }
 
-  /// How far off the straight line between two of its hits, at most, is the surface along the rays
-  /// between the two of these hits; all of them then meet it there. Infinite where that is not
-  /// known.
+  /// Largest distance, along the rays between those of two hits, of the surface from the straight
+  /// line between the hits. All these rays then meet the surface within it. Infinite if no bound is
+  /// proven.
   [[nodiscard]] virtual double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const;
-  /// How far off the triangle between three of its hits, at most, is the surface along the rays
-  /// between these hits' rays; all of them then meet it there. Infinite where that is not known.
+  /// Largest distance, along the rays between those of three hits, of the surface from the triangle
+  /// between the hits. All these rays then meet the surface within it. Infinite if no bound is
+  /// proven.
   [[nodiscard]] virtual double SagittaOver(
     const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const;
-  /// Whether Sagitta is known anywhere.
+  /// Sagitta is finite for some hits.
   [[nodiscard]] virtual bool HasSagitta() const { return IsFlat(); }
 
-  // What bodies that are made of others ask of their parts' surfaces. Not known unless told.
+  // Bounds for bodies that combine surfaces. By default, none is proven.
 
-  /// How far at most the rays of a chord meet the surface from it: along each of them it is
-  /// crossed, from one side to the other, exactly once within the room of the chord,
-  /// and there, continuously from ray to ray. The chord need not end on the surface. Infinite where
-  /// that is not known.
+  /// Largest distance from a chord at which the chord's rays meet the surface. Each ray crosses the
+  /// surface from one side to the other exactly once within the chord's room, and the place is a
+  /// continuous function of the ray. The chord need not end on the surface. Infinite if this is not
+  /// proven.
   [[nodiscard]] virtual double Reach(const Chord& chord) const;
-  /// Whether no point of the surface lies in a ball.
+  /// No point of the surface lies in the ball.
   [[nodiscard]] virtual bool IsClearOf(const Vec3& centre, double radius) const;
 
-  /// Whether some point of the surface may be in a flat polygon widened by `slack`; false: proven
-  /// that none is. `work`: what finding that out may spend; null: without a limit.
+  /// Some point of the surface may lie in a flat polygon widened by `slack`; false if it is proven
+  /// that none does. `work`: work budget; null: unlimited.
   [[nodiscard]] virtual bool MayMeet(const Outline& part, double slack, EdgeWork* work) const;
 
-  /// The value of a component (or kMagnitude) of a field on all of the surface, where that is the
-  /// same by what the surface is.
+  /// The value of a field's component (or kMagnitude) on all of the surface, if the surface's
+  /// definition makes it constant.
   [[nodiscard]] virtual std::optional<double> HeldValue(const Field& field, int component) const;
 
-  /// The surface as zeros of polynomials, part by part, with which contour lines and integrals are
-  /// proven; none where there are no such polynomials. Coefficients are rounded to doubles.
+  /// The surface as zeros of polynomials, part by part, for the proofs of contour lines and
+  /// integrals; empty if there are no such polynomials. Coefficients are rounded to doubles.
   [[nodiscard]] virtual std::vector<SurfacePatch> Implicit() const { return {}; }
 
-  /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
-  /// hit (RayLanes::nearestOnly).
+  /// All points lie in the mesh, so rays that end at opaque layers need only their first hit
+  /// (RayLanes::nearestOnly).
   [[nodiscard]] virtual bool IsOfMesh() const { return false; }
 
-  /// The number, as in FacesOf(shape), of the face of its element that a piece of the surface is;
-  /// -1: the surface does not consist of elements' faces.
+  /// The face, numbered as in FacesOf(shape), of its element that a piece of the surface is; -1:
+  /// the surface does not consist of elements' faces.
   [[nodiscard]] virtual int FaceOf(std::int32_t /*piece*/) const { return -1; }
 };
 

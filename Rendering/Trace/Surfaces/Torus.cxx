@@ -56,7 +56,7 @@ double Torus::Sagitta(
 
 Vec3 Torus::Normal(const SurfacePoint& point) const
 {
-  // In units, so that no square overflows.
+  // In the form's units no square overflows.
   const Vec3 x = (point.position - Form.centre) * Form.unit;
   const double R = CircleRadius * Form.unit;
   const double r = TubeRadius * Form.unit;
@@ -67,7 +67,7 @@ Vec3 Torus::Normal(const SurfacePoint& point) const
   {
     return Axis;
   }
-  // From the circle's nearest point, or from the farthest one on the inner part.
+  // The distance to the circle's nearest point or, on the inner part, to its farthest point is r.
   const auto off = [&](double along) { return std::fabs(std::hypot(along, height) - r); };
   const double along = off(distance - R) <= off(distance + R) ? distance - R : distance + R;
   const Vec3 normal = across * (along / distance) + height * Axis;

@@ -6,23 +6,23 @@
 
 namespace pixelexact
 {
-/// All points at distance r from a circle of radius R about an axis. With r > R the circle's tube
-/// passes through itself, and both the outer part and the inner one, a lemon about the axis, belong
-/// to the surface.
+/// All points at distance r from a circle of radius R about an axis. If r > R, the tube intersects
+/// itself, and both the outer part and the inner one, a lemon about the axis, belong to the
+/// surface.
 ///
-/// t and positions are those of the given numbers to about a unit in the last place, unless the ray
-/// nearly touches. Where pairs of doubles cannot tell whether it touches, it meets the surface
-/// once, HitStatus::Undecided.
+/// t and positions have errors of about a unit in the last place for the given numbers, unless the
+/// ray is nearly tangent. If pairs of doubles do not decide whether the ray touches the surface, it
+/// meets the surface once, with HitStatus::Undecided.
 class Torus final : public Surface
 {
 public:
-  /// The axis need not be of unit length. Throws Error when it is zero, a radius is not positive,
-  /// or a number is not finite or out of range: r / R is between 1e-8 and 1e8.
+  /// The axis need not have unit length. Throws Error if it is zero, a radius is not positive, a
+  /// number is not finite, or r / R is not between 1e-8 and 1e8.
   Torus(const Vec3& centre, const Vec3& axis, double R, double r);
 
   [[nodiscard]] const Vec3& Centre() const { return Form.centre; }
   [[nodiscard]] const Vec3& AxisDirection() const { return Axis; }
-  /// Of the circle that the tube's middle runs along, and of the tube.
+  /// Radius of the circle, and of the tube around it.
   [[nodiscard]] double Radius() const { return CircleRadius; }
   [[nodiscard]] double Tube() const { return TubeRadius; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a torus is off chords.
+// Bounds of the distance of a torus from chords.
 #include "Trace/Surfaces/Torus.h"
 
 #include "Core/Math/Rounding.h"
@@ -13,10 +13,10 @@ namespace pixelexact
 {
 namespace
 {
-/// With rho the distance from the axis and z the height, f of TorusForm is the product of
-/// (rho - R)^2 + z^2 - r^2 and (rho + R)^2 + z^2 - r^2: near the surface nothing cancels in it but
-/// what the position's own rounding makes uncertain. Lengths are in the form's units, below 1 for
-/// points of the torus.
+/// With rho the distance from the axis and z the height, f of TorusForm is the product of (rho -
+/// R)^2 + z^2 - r^2 and (rho + R)^2 + z^2 - r^2. Near the surface, cancellation in it is no larger
+/// than the effect of the position's rounding. Lengths are in the form's units, below 1 for points
+/// of the torus.
 struct TorusPoint
 {
   Vec3 y;
@@ -40,14 +40,14 @@ struct TorusPoint
   /// |y|^2 - R^2 - r^2.
   [[nodiscard]] double Rim() const { return Near() + 2.0 * R * (rho - R); }
   [[nodiscard]] double RimError() const { return NearError() + 2.0 * R * Off(); }
-  /// Of rho and z: some 8 roundings of |y|, and as many of the axis' unit length.
+  /// Error of rho and z: some 8 roundings of |y|, and as many of the axis' unit length.
   [[nodiscard]] double Off() const { return 16.0 * kUnitRoundoff * (rho + std::fabs(z) + R); }
   [[nodiscard]] double NearError() const
   {
     return 2.0 * Off() * (std::fabs(rho - R) + std::fabs(z) + r);
   }
   [[nodiscard]] double FarError() const { return 2.0 * Off() * (rho + R + std::fabs(z) + r); }
-  /// No smaller than |f|.
+  /// Upper bound of |f|.
   [[nodiscard]] double Value() const
   {
     return (std::fabs(Near()) + NearError()) * (std::fabs(Far()) + FarError());
@@ -69,9 +69,10 @@ double Torus::Reach(const Chord& chord) const
   const double square = glm::dot(e, e);
   const double slack = chord.Slack() * unit;
 
-  // Along the chord f'' = 4 (|y|^2 - R^2 - r^2) |e|^2 + 8 (y.e)^2 + 8 (R z_e)^2, z_e of the axis.
-  // There |y|^2 is convex, with second derivative 2 |e|^2, and y.e linear. So |f| is at most the
-  // larger of its ends' plus an eighth of the largest |f''|.
+  // Along the chord f'' = 4 (|y|^2 - R^2 - r^2) |e|^2 + 8 (y.e)^2 + 8 (R z_e)^2, where z_e is e's
+  // component along the axis. |y|^2 is convex there, with second derivative 2 |e|^2, and y.e is
+  // linear. So |f| is at most the larger of its ends' magnitudes plus an eighth of the largest
+  // |f''|.
   const double alongA = glm::dot(a.y, e);
   const double alongB = glm::dot(b.y, e);
   const double rise = R * glm::dot(e, Axis);
@@ -83,8 +84,8 @@ double Torus::Reach(const Chord& chord) const
   const double bend = std::max(std::fabs(below), std::fabs(above)) +
     64.0 * kUnitRoundoff * (highest + (R * R + r * r) * square);
 
-  // The gradient is 4 Rim y + 8 R^2 z axis, and the second derivatives are
-  // 4 Rim + 8 (y y^T + R^2 axis axis^T); a y.axis is z. In the ball about the middle:
+  // The gradient is 4 Rim y + 8 R^2 z axis, and the second derivatives are 4 Rim + 8 (y y^T + R^2
+  // axis axis^T), with z = y.axis. In the ball about the middle:
   const double radius = chord.Radius() * unit;
   const double farthest = glm::length(middle.y) + radius;
   const double rim =
@@ -94,8 +95,8 @@ double Torus::Reach(const Chord& chord) const
   const Vec3 gradient = 4.0 * middle.Rim() * middle.y + 8.0 * R * R * middle.z * Axis;
   const double error = 4.0 * middle.RimError() * farthest + 8.0 * R * R * middle.Off();
   const double steepest = glm::length(gradient) + error + hessian * radius;
-  // The slope along d changes by the second derivatives times d: along the chord, along the ray,
-  // and with what third derivatives, 24 |y| at most, add to them.
+  // The slope along d changes by the second derivatives times d, along the chord and along the ray,
+  // and by third derivatives, which are at most 24 |y|.
   const Vec3& d = chord.a.direction;
   const Vec3 turn = 4.0 * middle.Rim() * d + 8.0 * glm::dot(middle.y, d) * middle.y +
     8.0 * R * R * glm::dot(Axis, d) * Axis;
@@ -111,7 +112,8 @@ double Torus::Reach(const Chord& chord) const
 
 bool Torus::IsClearOf(const Vec3& centre, double radius) const
 {
-  // The distances from the circle's nearest and farthest point differ by no more than the places.
+  // The distances from the circle's nearest and farthest point change by at most the distance of
+  // the positions.
   const double R = CircleRadius * Form.unit;
   const double r = TubeRadius * Form.unit;
   const TorusPoint at((centre - Form.centre) * Form.unit, Axis, R, r);

@@ -9,7 +9,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Up to four slots, asked for when they are needed.
+/// Up to four slots, requested when a hit needs them.
 class FourSlots
 {
 public:
@@ -33,7 +33,7 @@ private:
   int Count = 0;
 };
 
-/// Puts a pack's hits into its rays' slots, one candidate after the other in order of t.
+/// Puts a pack's hits into its rays' slots, candidate by candidate in order of t.
 class PackHits
 {
 public:
@@ -50,7 +50,7 @@ public:
     ray.Middle(centre, Middle);
   }
 
-  /// At s, in units.
+  /// Adds a hit at s, in the form's units.
   HWY_INLINE void Add(const Pair& units, LaneMask certain, LaneMask undecided)
   {
     const Pair s{ units.high * Splat(Size), units.low * Splat(Size) };
@@ -60,7 +60,7 @@ public:
     {
       return;
     }
-    // Rounding may put roots that are hardly apart into the wrong order.
+    // Rounding may reverse the order of two roots that nearly coincide.
     Last = Select(hit, Max(Last, t), Last);
     Lanes position[3];
     Ray.PositionAt(Middle, s, position);
@@ -105,7 +105,7 @@ private:
   Lanes Last;
 };
 
-/// By signs in pairs.
+/// Adds hits by the signs of f in pairs of doubles.
 HWY_NOINLINE void AddCarefully(const RayQuartic& quartic, LaneMask wanted, PackHits& found)
 {
   const Pair(&f)[5] = quartic.f;
@@ -121,8 +121,8 @@ HWY_NOINLINE void AddCarefully(const RayQuartic& quartic, LaneMask wanted, PackH
     ends[2] = extrema[2];
     ends[3] = quartic.end;
   }
-  // From end to end: where the sign is another one than before there is a hit between, and where
-  // it is the same, but cannot be told between, perhaps one there.
+  // Visits the intervals in order. A change of sign is a hit between the two ends. If an undecided
+  // sign lies between equal signs, there may be a hit at that end.
   Lanes last = zero - quartic.end;
   LaneMask wasInside = zero < zero;
   LaneMask touches = zero < zero;

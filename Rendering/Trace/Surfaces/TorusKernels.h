@@ -7,7 +7,8 @@
 
 namespace pixelexact
 {
-/// f(y) = (|y|^2 - R^2 - r^2)^2 + (v.y)^2 - (2 R r)^2 with y = unit (x - centre); all is in units.
+/// f(y) = (|y|^2 - R^2 - r^2)^2 + (v.y)^2 - (2 R r)^2 with y = unit (x - centre); all members are
+/// in these units.
 struct TorusForm
 {
   Vec3 centre;
@@ -15,11 +16,12 @@ struct TorusForm
   DoublePair axis[3]; ///< v, of length 2 R
   DoublePair sum;     ///< R^2 + r^2
   DoublePair product; ///< (2 R r)^2
-  double slab;        ///< a little more than 2 R r: no |v.y| of the torus is larger
-  double reach;       ///< a little more than R + r; at most 1
+  double slab;        ///< bound of |v.y| on the torus, a little more than 2 R r
+  double reach;       ///< bound of |y| on the torus, a little more than R + r; at most 1
 };
 
-/// Hits in lanes: dispatched at run time to the instruction set. All of them give the same bits.
+/// Intersection kernels in lanes, dispatched at run time to the instruction set. All of them give
+/// the same bits.
 struct TorusKernels
 {
   void (*meet)(const TorusForm& form, const RayLanes& rays, HitSlots& hits);

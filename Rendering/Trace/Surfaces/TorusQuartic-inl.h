@@ -13,13 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// f(s) on a ray, and what is known of its evaluation.
+/// f(s) on a ray, and bounds for its evaluation.
 struct RayQuartic
 {
   Pair f[5];
-  Lanes end;       ///< at -end and end the ray is outside
-  Lanes noise;     ///< f's rounding errors are smaller
-  LaneMask isNear; ///< it may meet the torus
+  Lanes end;       ///< the ray is outside at -end and end
+  Lanes noise;     ///< bound of f's rounding errors
+  LaneMask isNear; ///< the ray may meet the torus
 };
 
 HWY_INLINE Pair Scaled(const Pair& a, double powerOfTwo)
@@ -36,7 +36,7 @@ HWY_INLINE RayQuartic QuarticOf(const TorusForm& form, const PairRay& ray)
   const Pair yv = PairDot(y, v);
   const Pair dv = PairDot(v, ray.d);
   const Pair rim = Plus(yy, Negative(Pair::Of(form.sum)));
-  // d.d = 1 + e, and y.d, are of the size of a rounding, and doubles suffice for them.
+  // d.d = 1 + e. e and y.d have the size of a rounding, so doubles suffice for them.
   const Lanes e = (ray.squaredLength.high - Splat(1.0)) + ray.squaredLength.low;
   const PairSum product = SumOfTerms(y, ray.d);
   const Lanes yd = product.high + product.low;
@@ -59,20 +59,20 @@ HWY_INLINE RayQuartic QuarticOf(const TorusForm& form, const PairRay& ray)
   f[0] = f0.Get();
   quartic.end = Splat(1.001 * form.reach);
   quartic.isNear = yy.high <= Splat(form.reach * form.reach);
-  // No term of f is larger than 9, and no sum of a hundred u^2 of them. What the ray's origin is
-  // away adds u^2 of it to y.
+  // No term of f exceeds 9, and the error of a sum is below a hundred u^2 of the terms. The
+  // distance of the ray's origin adds u^2 of itself to y's error.
   quartic.noise = Splat(0x1p-96) * (Splat(1.0) + Abs(ray.t0) * Splat(form.unit));
   return quartic;
 }
 
-/// Three points in order such that f is monotone between them and between the ends and them.
+/// Three points in order such that f is monotone between them, and between them and the ends.
 HWY_INLINE void Extrema(
   const RayQuartic& quartic, const Pair (&slope)[4], LaneMask wanted, Lanes (&extrema)[3])
 {
   const Pair(&f)[5] = quartic.f;
   const Lanes zero = Splat(0.0);
   const Lanes end = quartic.end;
-  // Where f'' / 2 = 6 f4 s^2 + 3 f3 s + f2 vanishes.
+  // Zeros of f'' / 2 = 6 f4 s^2 + 3 f3 s + f2.
   const Lanes b = Splat(3.0) * f[3].high;
   const Lanes discriminant = b * b - Splat(24.0) * f[4].high * f[2].high;
   const Lanes root = Sqrt(Max(discriminant, zero));
@@ -96,30 +96,30 @@ HWY_INLINE void Extrema(
   }
 }
 
-/// Where a ray's f has which sign, from doubles.
+/// Signs of a ray's f at approximate extrema, from doubles.
 ///
-/// About t0 of its closest point, f is nearly s^4 + g2 s^2 + g1 s + g0: what the rounding of y (by
-/// 7 u |t0|), of d and of the coefficients changes in f and f' is less than `error`, some 2^-44
-/// (1 + |t0|), where |s| <= 1.01.
+/// With t0 at the ray's closest point, f is nearly s^4 + g2 s^2 + g1 s + g0. The rounding of y (7 u
+/// |t0|), of d and of the coefficients changes f and f' by less than `error`, some 2^-44 (1 +
+/// |t0|), for |s| <= 1.01.
 struct RoughQuartic
 {
-  Lanes extrema[3]; ///< in order, nearly those of f
+  Lanes extrema[3]; ///< in order, approximately those of f
   Lanes at[3];      ///< f there
   LaneMask certain;
 
-  /// The extrema are the roots a and -a/2 +- h of a cubic with the same x^2 and x as f'/4; where
-  /// the latter two are not real, their real part stands for both. Let `rest` be how far the cubic
-  /// is from f'/4, at most. At an extremum c of f, the product of its distances from the three
-  /// roots is at most `rest`, and one of these is at most rho = rest^(1/3) away. From there to
-  /// c, f changes by at most 12 rho^2, since f''/2 is at most 12. So f's signs at the separators
-  /// tell how many roots are between them, 0 or 1, where |f| there is larger than 48 rho^2:
+  /// The extrema are the roots a and -a/2 +- h of a cubic with the same x^2 and x terms as f'/4. If
+  /// the latter two are not real, their real part replaces both. Let `rest` bound the difference of
+  /// the cubic and f'/4. At an extremum c of f, the product of its distances from the three roots
+  /// is at most `rest`, so one of these is at most rho = rest^(1/3) away. From that root to c, f
+  /// changes by at most 12 rho^2, because f''/2 is at most 12. So f's signs at the separators give
+  /// the number of roots between them, 0 or 1, if |f| there is larger than 48 rho^2:
   ///
-  /// Another one would come with an extremum between the same separators at which f is zero or
-  /// of the other sign than at the separator that is within rho of it, which is impossible; or, if
-  /// their signs differ, with a minimum that is not above zero near the positive one, followed by a
-  /// maximum that is not below zero near the negative one: but the order of these is the other way
-  /// round, unless the separators are within 2 rho of each other and both within 2 rho of an
-  /// extremum of the other sign.
+  /// A further root would require an extremum between the same separators at which f is zero or has
+  /// the other sign than at the separator within rho of it, which is impossible. If the separators'
+  /// signs differ, it would require a minimum that is not above zero near the positive one,
+  /// followed by a maximum that is not below zero near the negative one. But these have the
+  /// opposite order, unless the separators are within 2 rho of each other and both within 2 rho of
+  /// an extremum of the other sign.
   HWY_INLINE RoughQuartic(Lanes g2, Lanes g1, Lanes g0, Lanes error, Lanes end)
   {
     const Lanes zero = Splat(0.0);
@@ -127,7 +127,7 @@ struct RoughQuartic
     const Lanes P = half * g2;
     const Lanes Q = Splat(0.25) * g1;
     const Lanes size = Abs(Q);
-    // a^3 + P a = |Q|, by Halley's steps.
+    // Solves a^3 + P a = |Q| by Halley's steps.
     Lanes a = Sqrt(Max(zero - P, zero) + Sqrt(size));
     for (int step = 0; step < 3; ++step)
     {
@@ -151,13 +151,13 @@ struct RoughQuartic
       at[i] = ((s * s + g2) * s + g1) * s + g0;
     }
     const Lanes least = Min(Min(Abs(at[0]), Abs(at[1])), Abs(at[2]));
-    // In order they are if b <= 2 a, since b is not below a / 2.
+    // The extrema are in order if b <= 2 a, because b is not below a / 2.
     certain = And(b <= a + a, Splat(0x1p17) * (rest * rest) < least * least * least);
   }
 };
 
-/// Of f between `low` and `high`, where there is one root and no extremum but `extremum`, one of
-/// these.
+/// An interval [`low`, `high`] with one root of f and no extremum except `extremum`, which is one
+/// of the ends.
 struct Bracket
 {
   Lanes low;
@@ -179,7 +179,7 @@ HWY_INLINE Pair RootIn(
   const Lanes away = Sqrt((zero - bracket.value) / curvature);
   Lanes s = above ? bracket.extremum + away : bracket.extremum - away;
   s = Select(And(bracket.low < s, s < bracket.high), s, (bracket.low + bracket.high) * Splat(0.5));
-  // Halley's steps: the error after one is of the size of its cube.
+  // Halley's steps: each step cubes the error.
   LaneMask open = wanted;
   for (int step = 0; step < 6 && !None(open); ++step)
   {

@@ -13,17 +13,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// p.x q.y - p.y q.x: twice the area over the edge, whose sign is right, and which is 0 only where
-/// it is 0; changes its sign, to the bit, where p and q change their places.
+/// p.x q.y - p.y q.x, twice the area of the triangle with the origin. Its sign is exact, it is 0
+/// only if the exact value is, and exchanging p and q negates it to the bit.
 HWY_INLINE Lanes Across(const Lanes (&p)[2], const Lanes (&q)[2])
 {
   const Pair a = ExactProduct(p[0], q[1]);
   const Pair b = ExactProduct(p[1], q[0]);
-  // Exact where the products are close; where they are not, their rounding errors do not count.
+  // Exact if the products are close; otherwise their rounding errors do not matter.
   return (a.high - b.high) + (a.low - b.low);
 }
 
-/// Some of the rays, from number `first` on.
+/// The origins and directions of the rays from number `first` on.
 struct RayPacks
 {
   LanePoints origins;
@@ -38,7 +38,7 @@ struct RayPacks
   }
 };
 
-/// A triangle along a bundle's axes, depths from its z0.
+/// A triangle in the bundle's axes, with depths from its z0.
 struct SeenTriangle
 {
   Lanes corner[3][3];
@@ -63,7 +63,7 @@ struct SeenTriangle
   }
 };
 
-/// As PieceKernels::meetBox asks of a pack.
+/// The test of PieceKernels::meetBox for a pack.
 HWY_INLINE LaneMask MayMeet(const RayBundle& bundle, int i, const SeenTriangle& seen)
 {
   const auto load = [i](const RayBundle::Numbers& numbers) PIXELEXACT_INLINED
@@ -124,7 +124,7 @@ RaySet Meet(const RayBundle& bundle, const RayLanes& rays, const RaySet& some,
           right = And(right, weight[k] <= zero);
         });
       const Lanes sum = weight[0] + weight[1] + weight[2];
-      // Seen from its edge it is a line.
+      // A triangle seen edge-on is a line.
       met = AndNot(Or(left, right), Abs(sum) <= zero);
       if (None(met))
       {
@@ -147,7 +147,7 @@ RaySet Meet(const RayBundle& bundle, const RayLanes& rays, const RaySet& some,
           lanes.across[k].bits[at / 64] |= BitsOf(Abs(weight[d]) <= zero) << (at % 64);
         });
       const auto end = static_cast<std::size_t>(bundle.First());
-      // Without area it has no normal, and t is no number.
+      // A triangle without area has no normal, and t is NaN.
       return And(met,
         And(Traits::Load(rays.tNear + end + at) <= t, t <= Traits::Load(rays.tFar + end + at)));
     });

@@ -8,28 +8,28 @@
 
 namespace pixelexact
 {
-/// How rays of a bundle meet one triangle, by ray.
+/// Intersections of a bundle's rays with one triangle, by ray.
 struct TriangleLanes
 {
   RayBundle::Numbers t;
   std::array<RayBundle::Numbers, 3> position;
-  /// Of the second and the third corner, of a sum of 1.
+  /// Barycentric weights of the second and third corner.
   std::array<RayBundle::Numbers, 2> weight;
-  /// Rays that have no part of a corner: they meet the edge across from it.
+  /// Rays for which a corner's weight is zero: they meet the opposite edge.
   std::array<RaySet, 3> across;
 };
 
 /// Kernels dispatched at run time to the instruction set. All of them give the same bits.
 struct TriangleKernels
 {
-  /// Of some of a bundle's rays, those that meet a triangle with this normal on either side, or its
-  /// edges, within their intervals.
+  /// Returns the rays among `some` that meet the triangle with this normal, on either side or on
+  /// its edges, within their intervals.
   ///
-  /// Corners are moved and sheared to a ray's own coordinates, in which it is the third axis, one
-  /// by one, so that triangles agree on what they share (S. Woop, C. Benthin, I. Wald, Watertight
+  /// Corners are moved and sheared to each ray's coordinates, in which the ray is the third axis,
+  /// one by one, so that triangles agree on shared edges (S. Woop, C. Benthin, I. Wald, Watertight
   /// Ray/Triangle Intersection, JCGT 2(1), 2013; there a ray's coordinates begin at its origin,
-  /// here at the bundle's z0, next to the triangles). `rays` are those that the bundle was made
-  /// of.
+  /// here at the bundle's z0, next to the triangles). The bundle must have been constructed from
+  /// `rays`.
   RaySet (*meet)(const RayBundle& bundle, const RayLanes& rays, const RaySet& some,
     const std::array<Vec3, 3>& triangle, const Vec3& normal, TriangleLanes& lanes);
 };

@@ -21,17 +21,17 @@ namespace pixelexact
 {
 namespace
 {
-/// p.x q.y - p.y q.x: twice the area over the edge, whose sign is right, and which is 0 only where
-/// it is 0; changes its sign, to the bit, where p and q change their places.
+/// p.x q.y - p.y q.x, twice the area of the triangle with the origin. Its sign is exact, it is 0
+/// only if the exact value is, and exchanging p and q negates it to the bit.
 double Across(const std::array<double, 2>& p, const std::array<double, 2>& q)
 {
   const double a = p[0] * q[1];
   const double b = p[1] * q[0];
-  // Exact where the products are close; where they are not, their rounding errors do not count.
+  // Exact if the products are close; otherwise their rounding errors do not matter.
   return (a - b) + (std::fma(p[0], q[1], -a) - std::fma(p[1], q[0], -b));
 }
 
-/// Off by some roundings times the longest edge over the height on it.
+/// The relative error is some roundings times the longest edge over the height on it.
 Vec3 NormalOf(const Triangles::Triangle& triangle)
 {
   const double size =
@@ -43,15 +43,15 @@ Vec3 NormalOf(const Triangles::Triangle& triangle)
   return across / glm::length(across);
 }
 
-/// Where a ray meets a triangle.
+/// The hit of a ray with a triangle.
 struct Found
 {
   std::int32_t triangle;
-  int before; ///< another one of its ray, -1: none
+  int before; ///< index of another hit of the same ray; -1: none
   double t;
   Vec3 position;
   double weight[2];              ///< of the second and the third corner
-  std::array<bool, 3> hasCorner; ///< has a part of it
+  std::array<bool, 3> hasCorner; ///< the corner's weight is not zero
 };
 
 bool Before(const Vec3& a, const Vec3& b)
@@ -59,10 +59,10 @@ bool Before(const Vec3& a, const Vec3& b)
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// What is met on a triangle's edge or in its corner: the corners of it, in an order of their own.
+/// The corner, edge or triangle that a hit lies on: its corners, sorted.
 struct Feature
 {
-  int corners = 0; ///< 3: none but the triangle itself
+  int corners = 0; ///< 3: the hit is inside the triangle
   std::array<Vec3, 3> at{};
 
   Feature(const Triangles::Triangle& triangle, const Found& found)
@@ -86,7 +86,7 @@ struct Feature
   }
 };
 
-/// A slot of hits.
+/// The lanes of a slot of hits.
 struct SlotLanes
 {
   HitLanes to;
@@ -110,7 +110,7 @@ struct SlotLanes
   }
 };
 
-/// How far apart neighbouring rays are at the surface, about; infinite of one ray alone.
+/// Approximate distance of neighbouring rays at the surface; infinite for a single ray.
 double SpacingOf(const RayBundle& bundle)
 {
   double spacing = bundle.Count() < 2 ? std::numeric_limits<double>::infinity() : 0.0;
@@ -121,14 +121,14 @@ double SpacingOf(const RayBundle& bundle)
   return spacing;
 }
 
-/// Triangles that are smaller than so many distances between rays are found by single rays: a beam
-/// would meet more of them than rays do.
+/// Triangles smaller than kFine distances between rays are searched ray by ray, because a beam
+/// would meet more triangles than its rays do.
 constexpr double kFine = 2.0;
-/// Rays that the hierarchy is asked for together: neighbours in the image.
+/// Rays of a beam: neighbours in the image.
 constexpr int kBeam = 64;
 } // namespace
 
-/// The hits of a beam.
+/// Hits of a beam.
 struct Triangles::Beam
 {
   RayBundle bundle;
@@ -159,7 +159,7 @@ struct Triangles::Beam
     }
     last[i] = static_cast<int>(found.size()) - 1;
   }
-  /// A ray's hits by t; what triangles share is met once, of the first of them.
+  /// A ray's hits in order of t. Of hits on a shared corner or edge, only the first is kept.
   std::span<const Found* const> Of(int ray, const std::vector<Triangle>& all)
   {
     some.clear();

@@ -11,24 +11,24 @@
 
 namespace pixelexact
 {
-/// A surface of triangles, as they are: no normals are made up between their corners. Either side
-/// counts. Where triangles share an edge or a corner, with the same coordinates to the bit, no ray
-/// slips through between them, and one that meets what they share meets it once.
+/// A surface of flat triangles; normals are not interpolated between corners. Both sides count. If
+/// triangles share an edge or a corner, with coordinates equal to the bit, no ray passes between
+/// them, and a ray that meets the shared edge or corner meets it once.
 ///
-/// A ray is seen to meet a triangle where, in the plane across the ray, the origin lies in it or on
-/// its edge, with the corners' places in that plane rounded once; so near an edge the other
-/// triangle may be met, or none beyond the surface's rim, within 4 roundings of the corners'
-/// distance from the ray's origin. Rays in a triangle's plane miss it. t is off as a
-/// Plane's is, and by some roundings times the square of the longest edge over the height on it and
+/// A ray meets a triangle if, in the plane across the ray, the origin lies in the triangle or on
+/// its edge, after the corners' coordinates in that plane have been rounded once. So within 4
+/// roundings of the corners' distance from the ray's origin, the hit may be with the neighbouring
+/// triangle, or missing beside the surface's rim. Rays in a triangle's plane miss it. t's error is
+/// that of a Plane, plus some roundings times the square of the longest edge over its height and
 /// the slope.
 class Triangles final : public Surface
 {
 public:
   using Triangle = std::array<Vec3, 3>;
 
-  /// Triangles without area are met by no ray. Throws Error without triangles, for corners that are
-  /// not finite (naming the first). Hierarchies are made when rays first ask, and throw where
-  /// Embree fails.
+  /// No ray meets triangles without area. Throws Error without triangles, and for corners that are
+  /// not finite (naming the first). Hierarchies are built on first use, which throws if Embree
+  /// fails.
   explicit Triangles(std::vector<Triangle> triangles);
   ~Triangles() override;
   Triangles(const Triangles&) = delete;
@@ -48,17 +48,18 @@ public:
 private:
   struct Beam;
   [[nodiscard]] std::vector<Box3> Boxes() const;
-  /// For neighbouring rays together, made when some first ask.
+  /// Hierarchy for beams of neighbouring rays, built on first use.
   [[nodiscard]] const BundleHierarchy& ForBeams() const;
-  /// For single rays and points, made when one first asks. Throws Error where Embree fails.
+  /// Hierarchy for single rays and points, built on first use. Throws Error if Embree fails.
   [[nodiscard]] const Bvh& ForRays() const;
-  /// Of `count` rays from number `first` on.
+  /// Meets `count` rays from number `first` on.
   void MeetBeam(const RayLanes& rays, int first, int count, Beam& beam, HitSlots& hits) const;
-  /// The triangle on the other side of an edge, or of several the wanted one; -1 where there is
-  /// none, or no telling which.
+  /// The triangle on the other side of edge pq; of several, `wanted`. -1 if there is none, or if it
+  /// is ambiguous.
   [[nodiscard]] std::int32_t Beyond(
     std::int32_t triangle, const Vec3& p, const Vec3& q, std::int32_t wanted) const;
-  /// How far off a triangle's plane its hits may be, beside the rounding of positions.
+  /// Largest distance of a triangle's hits from its plane, in addition to the rounding of
+  /// positions.
   [[nodiscard]] double SlackOf(std::int32_t triangle) const;
 
   std::vector<Triangle> All;
@@ -66,6 +67,6 @@ private:
   Box3 bounds_;
   MadeOnDemand<BundleHierarchy> Together{ 1 };
   MadeOnDemand<Bvh> Single{ 1 };
-  double Extent = 0.0; ///< of a triangle, the mean
+  double Extent = 0.0; ///< mean extent of a triangle
 };
 } // namespace pixelexact

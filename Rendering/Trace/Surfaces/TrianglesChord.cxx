@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far triangles are off chords.
+// Bounds of the distance of triangles from chords.
 #include "Trace/Surfaces/Triangles.h"
 
 #include "Core/Base/CheckedOut.h"
@@ -17,10 +17,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Triangles between two hits; of more, chords are halved.
+/// Largest count of triangles between two hits; longer chords are subdivided.
 constexpr int kMaxTriangles = 32;
 
-/// Where an edge crosses the rays' plane.
+/// The intersection of an edge with the rays' plane.
 struct EdgeCrossing
 {
   Vec3 p;
@@ -29,8 +29,8 @@ struct EdgeCrossing
   double error; ///< of `at`, along the edge
 };
 
-/// The way out of a triangle that leads farthest towards the chord's end, of those on which its
-/// edges cross the plane for certain; none where a corner may lie in the plane.
+/// The exit from a triangle that leads farthest towards the chord's end, among edges that are
+/// proven to cross the plane; none if a corner may lie in the plane.
 std::optional<EdgeCrossing> WayOut(
   const RayPlane& plane, const Triangles::Triangle& triangle, const Vec3& from)
 {
@@ -99,9 +99,9 @@ double Triangles::Sagitta(
   {
     return kInfinity;
   }
-  // The rays' plane cuts triangles that share edges in a line of straight parts. Where each part
-  // leads on across the rays, each ray between meets the line once; it is off the chord by no more
-  // than its corners are.
+  // The rays' plane cuts triangles with shared edges in a polyline. If each segment leads forward
+  // across the rays, each ray between meets the polyline once. The polyline's distance from the
+  // chord is at most that of its corners.
   std::int32_t piece = atA.piece;
   Vec3 at = chord.from;
   double reach = plane.OffChord(chord.from);
@@ -124,7 +124,7 @@ double Triangles::Sagitta(
     at = out->at;
     reach = std::max(reach, plane.OffChord(at) + out->error);
   }
-  // Positions are put on planes whose normals are off where triangles are slender.
+  // Positions are projected to planes whose normals are inaccurate for slender triangles.
   return plane.Progress(at, chord.to) >= -(error + chord.Slack())
     ? reach + SlackOf(atA.piece) + SlackOf(atB.piece)
     : kInfinity;

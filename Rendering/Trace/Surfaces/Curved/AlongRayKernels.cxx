@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A piece, as f along rays.
+/// A piece's f along rays.
 class PieceAlongRays
 {
 public:
@@ -38,7 +38,7 @@ public:
     }
   }
 
-  /// Of the pack of near rays from i on, of which some are there, those that stay unclear.
+  /// Tests the pack of near rays from i on, in the lanes `active`. Returns those that stay unclear.
   HWY_INLINE LaneMask At(int i, LaneMask active)
   {
     const LookRays rays = LoadRays(Near, i);
@@ -115,8 +115,8 @@ private:
     return at;
   }
 
-  /// The one root of a stretch: where it is expected in the piece, as a pair that may not end
-  /// beyond the parabola's vertex; else by a closer look.
+  /// Searches the only root of a stretch. If it is expected in the piece, it becomes a pair that
+  /// must not end beyond the parabola's vertex; otherwise it becomes an open ray for a closer look.
   HWY_INLINE void LookFor(const LookRays& rays, const RayQuadratic& f, const RayStretch& stretch,
     const RootBox& box, double sense, LaneMask some)
   {
@@ -129,7 +129,7 @@ private:
         expected[d] = Splat(Piece.centre[d]) + Max(Min(off, box.upper[d]), box.lower[d]);
         side.normal[d] = Splat(sense) * f.e[d];
       });
-    // Roots of this side are beyond the end of the stretch that is nearer to the vertex.
+    // Roots of this side lie beyond the end of the stretch that is nearer to the vertex.
     const Lanes end = sense < 0.0 ? stretch.to : stretch.from;
     const Lanes centre[3] = { Splat(Piece.centre[0]), Splat(Piece.centre[1]),
       Splat(Piece.centre[2]) };
@@ -149,7 +149,7 @@ private:
   std::size_t AlongAxis;
   double Along;
   Curvature Curves;
-  double Slope[4][3]; ///< about which slopes are by the least
+  double Slope[4][3]; ///< the slopes around which their ranges are smallest
 };
 
 RaySet LookAlong(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,

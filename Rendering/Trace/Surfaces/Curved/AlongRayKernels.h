@@ -6,14 +6,14 @@
 
 namespace pixelexact
 {
-/// What a piece looks like along rays that may meet it more than once, in lanes: dispatched at run
-/// time to the instruction set, with the same bits on all of them.
+/// Tests of rays that may meet a piece more than once, by f along the ray, in lanes, dispatched at
+/// run time to the instruction set, with the same bits on all of them.
 struct AlongRayKernels
 {
-  /// Of rays that a look left bent: appends pairs where there may be a hit, and to `open` rays,
-  /// once for each place, that have in this place one root at most, which was not expected in the
-  /// piece. Returns the rays to which the piece bends too much; the others miss it, proven. There
-  /// must be room for two of each ray.
+  /// Tests the rays for which a look found too much bending. Appends pairs where there may be a
+  /// hit. Appends a ray to `open`, once per place, if it has at most one root there and the root
+  /// was not expected in the piece. Returns the rays for which the piece bends too much; the others
+  /// are proven to miss it. The lists must have capacity for two entries per ray.
   RaySet (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
     OpenRays& bent, OpenRays& open, PiecePairs& pairs);
 };

@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Splitting billions of boxes goes no deeper than an eighth of this.
+/// Largest size of the stack; billions of boxes need an eighth of it.
 constexpr std::size_t kMaxStack = 128;
 
 Vec3 MiddleOf(const Box3& box)
@@ -20,14 +20,15 @@ Vec3 MiddleOf(const Box3& box)
   return 0.5 * box.lower + 0.5 * box.upper;
 }
 
-/// What a node splits its boxes into: as many places in the order, from one on.
+/// A range of indices in the order, which a node splits.
 struct Group
 {
   int first;
   int count;
 };
 
-/// The longer half stays; the upper one is returned.
+/// Splits a group along its longest side: `group` keeps the lower half, and the upper half is
+/// returned.
 Group Subdivide(std::span<std::int32_t> order, std::span<const Box3> boxes, Group& group)
 {
   const auto places =
@@ -116,7 +117,7 @@ void BundleHierarchy::ForEach(
     for (unsigned met = bundle.MayMeet(node.boxes, depth); met != 0; met &= met - 1)
     {
       const auto k = static_cast<std::size_t>(std::countr_zero(met));
-      // The nearest one last, which is taken first.
+      // The nearest box is stored last, so it is visited first.
       std::size_t place = size++;
       for (; place > begin && stack[place - 1].depth < depth[k]; --place)
       {

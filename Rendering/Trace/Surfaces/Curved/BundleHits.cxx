@@ -13,16 +13,16 @@ namespace pixelexact
 {
 namespace
 {
-/// Of an element's size.
+/// Largest distance of equal hits, relative to an element's size.
 constexpr double kSame = 1e-11;
 
-/// Hits of one ray: by t, then by part.
+/// Order of the hits of one ray: by t, then by part.
 bool ComesBefore(const CurvedHit& a, const CurvedHit& b)
 {
   return a.t != b.t ? a.t < b.t : a.part < b.part;
 }
 
-/// A slot, as it is written for some rays of a tile.
+/// Writes hits of some rays of a tile to one slot.
 class SlotWriter
 {
 public:
@@ -120,7 +120,7 @@ public:
       Sorted[next[static_cast<std::size_t>(hit.ray)]++] = &hit;
     }
   }
-  /// Of one ray, in order.
+  /// The hits of one ray, in order.
   [[nodiscard]] std::span<const CurvedHit* const> Of(std::size_t ray)
   {
     const auto some = std::span(Sorted).subspan(Ends[ray], Ends[ray + 1] - Ends[ray]);
@@ -134,7 +134,7 @@ public:
 
 private:
   std::vector<const CurvedHit*> Sorted;
-  std::array<std::size_t, RayBundle::kMax + 1> Ends{}; ///< of each ray's, from number 1 on
+  std::array<std::size_t, RayBundle::kMax + 1> Ends{}; ///< end of each ray's hits, from index 1 on
 };
 
 void WriteAll(const RayLanes& rays, int first, int count, const HitTerms& terms,
@@ -145,22 +145,23 @@ void WriteAll(const RayLanes& rays, int first, int count, const HitTerms& terms,
     return;
   }
   HitsByRay byRay(found);
-  std::optional<SlotWriter> nearest; // of most rays it is the only one
-  std::vector<std::int32_t> told;    // parts, since the last hit that is certain
+  std::optional<SlotWriter> nearest;   // most rays have no other slot
+  std::vector<std::int32_t> undecided; // parts with an undecided hit since the last certain one
   for (int ray = 0; ray < count; ++ray)
   {
     int slot = 0;
     const CurvedHit* last = nullptr;
-    told.clear();
+    undecided.clear();
     for (const CurvedHit* hit : byRay.Of(static_cast<std::size_t>(ray)))
     {
       const auto element =
         static_cast<std::size_t>(terms.parts[static_cast<std::size_t>(hit->part)].element);
       const double same = kSame * terms.mesh.size[element];
-      // What is undecided in one part, piece by piece along the ray, is told once.
+      // Consecutive undecided hits of one part are written once.
       const bool isUndecided = hit->status == HitStatus::Undecided;
-      const bool isTold = isUndecided && std::ranges::find(told, hit->part) != told.end();
-      if (!IsWithin(rays, first + ray, *hit) || isTold ||
+      const bool isWritten =
+        isUndecided && std::ranges::find(undecided, hit->part) != undecided.end();
+      if (!IsWithin(rays, first + ray, *hit) || isWritten ||
         (last != nullptr &&
           glm::all(glm::lessThanEqual(glm::abs(hit->position - last->position), Vec3(same)))))
       {
@@ -180,11 +181,11 @@ void WriteAll(const RayLanes& rays, int first, int count, const HitTerms& terms,
       }
       if (isUndecided)
       {
-        told.push_back(hit->part);
+        undecided.push_back(hit->part);
       }
       else
       {
-        told.clear();
+        undecided.clear();
       }
       last = hit;
       ++slot;

@@ -10,16 +10,18 @@
 
 namespace pixelexact
 {
-/// What hits of a bundle are written with.
+/// The surface's data that hits are written with.
 struct HitTerms
 {
   std::span<const CurvedPart> parts;
   const Mesh& mesh;
-  bool tellsElements; ///< else pieces have the first two xi as parameters
+  /// Hits store element and xi; otherwise pieces have the first two xi as parameters.
+  bool tellsElements;
 };
 
-/// Takes a bundle's hits to slots, ray by ray in order: what two parts share once, what is
-/// undecided in a part once, and where rays want no more, the first alone.
+/// Writes a bundle's hits to slots, ray by ray in order of t. A hit that two parts share is written
+/// once, and so are consecutive undecided hits of one part. If the rays need only their first hit,
+/// only this one is written.
 void WriteHits(const RayLanes& rays, int first, int count, const HitTerms& terms,
   std::span<const CurvedHit> found, HitSlots& hits);
 } // namespace pixelexact

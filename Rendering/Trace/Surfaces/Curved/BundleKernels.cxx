@@ -12,7 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A pack of at most kLanePadding numbers, of which `count` are there; the last one fills it up.
+/// Loads a pack of at most kLanePadding numbers. If `count` is less, the last number fills the
+/// pack.
 HWY_INLINE Lanes LoadSome(const double* from, int count)
 {
   if (count >= LaneCount())
@@ -25,8 +26,8 @@ HWY_INLINE Lanes LoadSome(const double* from, int count)
   return NumberTraits<Lanes>::Load(some.data());
 }
 
-/// visit(i, load, direction) for packs of `count` rays from number `first` on: load(column) is the
-/// pack that begins i rays behind it.
+/// Calls visit(i, load, direction) for packs of `count` rays from number `first` on; load(column)
+/// loads the pack that begins with ray first + i.
 template <class Visit>
 HWY_INLINE void ForEachPack(const RayLanes& rays, int first, int count, Visit&& visit)
 {
@@ -41,7 +42,7 @@ HWY_INLINE void ForEachPack(const RayLanes& rays, int first, int count, Visit&& 
   }
 }
 
-/// Of directions, that `axis` is the first of those along which they are longest.
+/// `axis` is the first of the axes on which the direction is longest.
 HWY_INLINE LaneMask IsLongest(int axis, const Lanes (&direction)[3])
 {
   const Lanes x = Abs(direction[0]);
@@ -53,7 +54,7 @@ HWY_INLINE LaneMask IsLongest(int axis, const Lanes (&direction)[3])
   return axis == 0 ? first : axis == 1 ? second : AndNot(AndNot(all, first), second);
 }
 
-/// d / d_k, in pairs: one step of division's own iteration from `inverse`, 1 / d_k rounded.
+/// d / d_k in pairs: one correction step of the division, from `inverse`, 1 / d_k rounded.
 HWY_INLINE Pair SlopeOf(Lanes direction, Lanes along, Lanes inverse)
 {
   const Lanes high = direction * inverse;
@@ -128,7 +129,7 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
       const Lanes origin = load(rays.origin[axis(a)]);
       const Pair exact = SlopeOf(direction[axis(a)], along, inverse);
       slope[a] = exact.high;
-      // Where the two are far larger than it: the ray's own point, not one beside it.
+      // Computed in pairs, because the terms may be far larger than the place.
       place[a] = (Pair::Of(origin) - exact * depth).high;
       size = size + Abs(origin);
       Store(place[a], to.place[a] + i);
@@ -165,7 +166,7 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
   ranges.mostFar = fars.Found().most;
 }
 
-// As RayBundle::MayMeet and DepthOf say of one box.
+// As RayBundle::MayMeet and DepthOf for one box.
 unsigned MeetBoxes(
   const BundleRanges& ranges, const BundleFrame& frame, const EightBoxes& boxes, double* depth)
 {

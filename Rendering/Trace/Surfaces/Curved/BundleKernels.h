@@ -10,14 +10,14 @@
 
 namespace pixelexact
 {
-/// The least and the most of some numbers; of none, nothing.
+/// The range of some numbers; empty by default.
 struct NumberRange
 {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
 };
 
-/// What a bundle knows of its rays (RayBundle), ray by ray: arrays with room for whole packs.
+/// The arrays of a bundle (RayBundle), by ray, padded to whole packs.
 struct BundleColumns
 {
   std::array<double*, 2> place;
@@ -29,7 +29,7 @@ struct BundleColumns
   double* direction;
 };
 
-/// What the rays have in common: of those that are of interest.
+/// Ranges over the rays that run along the bundle's way.
 struct BundleRanges
 {
   std::array<NumberRange, 2> place;
@@ -39,22 +39,22 @@ struct BundleRanges
   double mostFar = -std::numeric_limits<double>::infinity();
 };
 
-/// Where the rays of a bundle run, and what for.
+/// Axes and origin of a bundle's coordinates.
 struct BundleFrame
 {
   std::array<int, 3> axes;
   double z0;
   double sign;
-  double around; ///< the largest coordinate that is met
+  double around; ///< largest magnitude of a coordinate of met boxes
 };
 
-/// Boxes that are asked about together, coordinate by coordinate.
+/// Boxes that are tested together, as a structure of arrays.
 struct EightBoxes
 {
   static constexpr std::size_t kMax = 8;
   std::array<std::array<double, kMax>, 3> lower{};
   std::array<std::array<double, kMax>, 3> upper{};
-  int count = 0; ///< the others mean nothing
+  int count = 0; ///< the other entries are undefined
 
   void Set(std::size_t k, const Box3& box)
   {
@@ -69,16 +69,15 @@ struct EightBoxes
 /// Kernels dispatched at run time to the instruction set. All of them give the same bits.
 struct BundleKernels
 {
-  /// Of `count` rays from number `first` on, the ways that those run that are there: bit 2 a of
-  /// axis a upwards, bit 2 a + 1 downwards. A ray runs along the first axis of those that its
-  /// direction is longest along.
+  /// The ways along which `count` rays from number `first` on run: bit 2 a for axis a upwards, bit
+  /// 2 a + 1 downwards. A ray runs along the first of the axes on which its direction is longest.
   unsigned (*ways)(const RayLanes& rays, int first, int count);
-  /// Of `count` rays from number `first` on. Those that do not run along the frame's last axis, in
-  /// the direction of its sign, are of no interest.
+  /// Describes `count` rays from number `first` on. Rays that do not run along the frame's last
+  /// axis, in the direction of its sign, get an empty interval of depths.
   void (*describe)(const RayLanes& rays, int first, int count, const BundleFrame& frame,
     const BundleColumns& to, BundleRanges& ranges);
-  /// Which of the boxes rays of a bundle may meet, a bit each, and how deep they begin, of each
-  /// (EightBoxes::kMax): RayBundle::MayMeet and DepthOf of one.
+  /// The boxes that rays of a bundle may meet, a bit each, and the depth at which each begins
+  /// (EightBoxes::kMax numbers), as RayBundle::MayMeet and DepthOf for one box.
   unsigned (*meetBoxes)(
     const BundleRanges& ranges, const BundleFrame& frame, const EightBoxes& boxes, double* depth);
 };

@@ -13,16 +13,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// So often the place of a ray's roots is narrowed by what is known at a point near them.
+/// Count of narrowings of a ray's box of roots by the derivatives at a point near them.
 constexpr int kCloserNarrowings = 2;
-/// Of values, times an element's tolerance, and of slopes, relative to the largest of the piece and
-/// to 1: more than rounding leaves.
+/// Bounds of rounding: of values, as a multiple of the element's tolerance; of slopes, relative to
+/// the piece's largest slope and to 1.
 constexpr double kValueRounding = 4.0;
 constexpr double kSlopeRounding = 1e-12;
-/// A box of roots that has become so much smaller along a direction is worth another look.
+/// A further look is worth its cost if the box of roots shrank along a direction by this factor.
 constexpr double kShrinks = 0.5;
 
-/// A piece, as rays see it from points of their own.
+/// A piece, viewed along rays from points near their roots.
 class PieceCloserLook
 {
 public:
@@ -43,7 +43,8 @@ public:
       {
         largest = std::max(largest, std::fabs(piece.slope[c][d]) + piece.radius[c][d]);
       }
-      // Slopes at the point and elsewhere are each that far from what second derivatives say.
+      // Both the slopes at the point and those elsewhere have this error relative to the second
+      // derivatives.
       for (double& rest : Curves.rest[c])
       {
         rest = 2.0 * rest + kSlopeRounding * largest;
@@ -51,8 +52,9 @@ public:
     }
   }
 
-  /// Of the pack of open rays from i on, of which some are there: appends pairs, and those that
-  /// stay open; returns the others that do not miss. value(n) are the kernels' rows.
+  /// Tests the pack of open rays from i on, in the lanes `active`. Appends pairs and the rays that
+  /// stay open, and returns the others that do not miss. value(n) loads row n of the kernels'
+  /// values.
   template <class Value>
   HWY_INLINE LaneMask At(int i, LaneMask active, const Value& value)
   {
@@ -158,7 +160,7 @@ RaySet LookCloser(const RayBundle& bundle, const ElementFrame& frame, const Curv
   const double* values, std::size_t stride, OpenRays& open, PiecePairs& pairs)
 {
   const int count = open.count;
-  // What stays open is written over packs that have been read.
+  // Rays that stay open overwrite packs that have been read.
   open.count = 0;
   PieceCloserLook look(bundle, frame, piece, open, pairs);
   return LookAtOpen(open, count, piece, pairs,

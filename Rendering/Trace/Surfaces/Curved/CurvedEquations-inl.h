@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What second derivatives tell of the roots of rays in a piece.
+// Bounds on the roots of rays in a piece from second derivatives.
 #if defined(PIXELEXACT_CURVED_EQUATIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_CURVED_EQUATIONS_INL_H
 #undef PIXELEXACT_CURVED_EQUATIONS_INL_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Of a piece that curves, as doubles.
+/// The second derivatives of a piece that curves, as doubles.
 struct Curvature
 {
   double curve[4][6];
@@ -33,8 +33,8 @@ struct Curvature
   }
 };
 
-/// The equations times M^-1, to second order: first + off + 1/2 off^T P off, up to `error` and a
-/// rest that grows with `off`.
+/// The equations times M^-1, to second order: first + off + 1/2 off^T P off, with an error of at
+/// most `error` and a remainder that grows with `off`.
 struct CurvedEquations
 {
   Lanes first[3];
@@ -71,7 +71,7 @@ struct CurvedEquations
       });
   }
 
-  /// P of equation r times a vector.
+  /// The product of equation r's matrix P and a vector.
   HWY_INLINE void Times(int r, const Lanes (&x)[3], Lanes (&to)[3]) const
   {
     const Lanes(&p)[6] = P[r];
@@ -80,8 +80,8 @@ struct CurvedEquations
     to[2] = p[5] * x[0] + p[4] * x[1] + p[2] * x[2];
   }
 
-  /// Leaves of a box what may be a root; returns for which there is nothing left. `start` is where
-  /// the root is to second order.
+  /// Narrows a box to the part that may contain a root. Returns the lanes where nothing remains.
+  /// `start`: the root to second order.
   HWY_INLINE LaneMask Narrow(RootBox& box, Lanes (&start)[3]) const
   {
     const Lanes half = Splat(0.5);
@@ -119,7 +119,7 @@ struct CurvedEquations
     return empty;
   }
 
-  /// How far the derivatives are from the unit matrix in a box.
+  /// Largest deviation of the derivatives from the unit matrix in a box.
   HWY_INLINE void Spread(const RootBox& box, Lanes (&K)[3][3]) const
   {
     Lanes middle[3];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a bundle of rays meets the parts of a curved surface.
+// Intersection of a bundle of rays with the parts of a curved surface.
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 
 #include "Core/Base/CheckedOut.h"
@@ -18,23 +18,23 @@ namespace pixelexact
 {
 namespace
 {
-/// Pieces are halved this often for the rays of a bundle together, of faces and of volumes. A ray
-/// that is open in such a piece is met alone.
+/// Subdivisions of pieces for all rays of a bundle together, of faces and of volumes. A ray that is
+/// open in such a piece is then processed alone.
 constexpr int kShared[3] = { 12, 14, 14 };
-/// Pieces are halved this often where rays are nearly tangent to them, then the referee decides: of
-/// faces, and of volumes. It knows no magnitudes, which are halved until they are small.
+/// Subdivisions of pieces where rays are nearly tangent, before the fallback (FindHits) decides: of
+/// faces, of volumes, and of magnitudes, which the fallback does not support.
 constexpr int kMaxDepth[3] = { 16, 21, 30 };
-/// Plateaus are halved this often, from the largest piece that is one: those of a field, so that
-/// they are undecided for rays alone that pass next to them.
-constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
-/// Pieces that bend are halved this often for a bundle as a whole.
+/// Subdivisions of plateaus, from the largest plateau piece on. A field's plateaus are subdivided
+/// so that only rays that pass near them are undecided.
+constexpr int kMaxPlateauDepth[3] = { 0, 12, 12 };
+/// Subdivisions of pieces that bend for a bundle as a whole, without a test of each ray.
 constexpr int kTogether = 8;
-/// Estimated, in nanoseconds: what a ray costs in the halves of a piece, beside the halves.
+/// Estimated cost, in nanoseconds, of a ray's test of a piece's children, without the children.
 constexpr std::int64_t kCostOfLook = 1500;
-/// Children are kept for the rays beside this one. A ray pays this part of them, kept or not.
+/// Children also serve neighbouring rays. A ray pays this fraction of their cost, kept or not.
 constexpr std::int64_t kShareOfChildren = 4;
-/// Rays and pieces, in lanes, that are solved before pieces further behind are looked at: of faces,
-/// and of volumes.
+/// Count of pairs of rays and pieces that are solved before pieces behind them are tested: of
+/// faces, and of volumes.
 constexpr int kAhead[3] = { 96, 40, 40 };
 
 struct Scratch
@@ -43,7 +43,8 @@ struct Scratch
   SolverWork work;
 };
 
-/// Whether a piece lies behind another for a ray, whatever order they were found in.
+/// Piece a lies behind b for a ray. The order does not depend on the order in which pieces were
+/// found.
 bool IsBehind(const OpenPiece& a, const OpenPiece& b)
 {
   const auto key = [](const OpenPiece& one)
@@ -55,8 +56,8 @@ bool IsBehind(const OpenPiece& a, const OpenPiece& b)
 }
 } // namespace
 
-/// A bundle of rays and the parts that they meet: by all rays together, as far as most of them
-/// need, then by each of the others alone, which may spend RayLanes::work.
+/// A bundle of rays and the parts that they meet. All rays are processed together while most of
+/// them need it, then each remaining ray alone, within RayLanes::work.
 class CurvedSurface::Meeting
 {
 public:
@@ -128,7 +129,7 @@ private:
     }
   }
 
-  /// What follows is of this part.
+  /// Makes a part the current one.
   void Enter(std::int32_t part, const PartTree& tree)
   {
     Part = part;
@@ -138,7 +139,7 @@ private:
     Kept = Work.hits.size();
   }
 
-  /// The surface's, or one for this bundle alone where no more may be kept.
+  /// The surface's tree or, if the memory limit is reached, one for this bundle alone.
   [[nodiscard]] const PartTree& TreeOf(std::int32_t part)
   {
     if (Of.Trees.IfMade(static_cast<std::size_t>(part)) == nullptr && PartTree::AreFull())
@@ -150,14 +151,14 @@ private:
     return Of.TreeOf(part);
   }
 
-  /// Solves for all that is listed; where one hit is enough, rays end at those that are found.
+  /// Solves all listed pairs. If one hit suffices, rays end at their hits.
   void Solve(PieceSolver& solver)
   {
     solver.Solve();
     TakeHits();
   }
 
-  /// The new hits. A hit that stands for a piece, and for no point of it, is not reviewed.
+  /// Takes over the new hits. Hits that stand for a piece, not for a point of it, are not reviewed.
   void TakeHits(bool arePoints = true)
   {
     if (Work.hits.size() == Kept)
@@ -194,7 +195,7 @@ private:
     {
       return;
     }
-    // Further down each ray is asked: a bundle may meet far more pieces than its rays do.
+    // At deeper levels each ray is tested: a bundle may meet far more pieces than its rays do.
     if (!piece.flat && piece.subdivisions < kTogether)
     {
       Deeper(solver, piece, rays);
@@ -206,7 +207,7 @@ private:
       return;
     }
     const RaySet unclear = piece.flat ? solver.Look(piece, near) : near;
-    // What lies behind the hits of enough rays need not be looked at.
+    // Pieces behind the hits of enough rays need no test.
     if (Rays.nearestOnly && Work.pairs.count >= kAhead[Kind])
     {
       Solve(solver);
@@ -220,7 +221,7 @@ private:
   [[nodiscard]] bool IsLast(const CurvedPiece& piece) const
   {
     return IsBlurred ||
-      (piece.plateau ? piece.subdivisions - piece.plateauFrom >= kDeepestPlateau[Kind]
+      (piece.plateau ? piece.subdivisions - piece.plateauFrom >= kMaxPlateauDepth[Kind]
                      : piece.subdivisions >= kMaxDepth[Kind]);
   }
 
@@ -251,7 +252,7 @@ private:
     return !piece.IsEmpty() && !GetPieceKernels().meetBox(Bundle, piece.bounds, ray).IsEmpty();
   }
 
-  /// Rays that are open in pieces, one after the other.
+  /// Processes the rays that are open in pieces, one after the other.
   void MeetOpen()
   {
     std::ranges::stable_sort(Work.open, {}, &OpenPiece::ray);
@@ -268,12 +269,12 @@ private:
     Work.open.clear();
   }
 
-  /// The nearest piece first: where the work is exhausted, what has not been decided lies behind
-  /// what has. What a ray meets depends on no other ray, and on nothing that is kept.
+  /// Processes the nearest piece first. If the work is exhausted, all undecided pieces lie behind
+  /// the decided ones. The hits of a ray depend on no other ray, and not on kept pieces.
   void MeetAlone(std::vector<OpenPiece>& open)
   {
     EdgeWork work(Rays.work);
-    std::vector<std::int32_t> given; // parts in which the ray is given up
+    std::vector<std::int32_t> given; // parts in which the ray ended undecided
     std::optional<PieceSolver> solver;
     RaySet ray;
     ray.Add(open.front().ray);
@@ -339,11 +340,11 @@ private:
   std::size_t Kind;
   RaySet All;
   std::int32_t Part = -1;
-  bool IsBlurred = false; ///< what the part's pieces leave open is undecided
+  bool IsBlurred = false; ///< rays that the part's pieces leave open are undecided
   std::size_t Kept = 0;   ///< hits that have been reviewed
   const CurvedPart* Which = nullptr;
   const PartTree* Tree = nullptr;
-  // Where the trees keep no more.
+  // Trees and pieces above the memory limit.
   std::vector<std::unique_ptr<const PartTree>> OwnTrees;
   std::vector<std::shared_ptr<const std::array<CurvedPiece, 2>>> OwnPieces;
 };

@@ -11,8 +11,8 @@
 
 namespace pixelexact
 {
-/// What elements' pieces of a surface have in common. Without a field, the surface is made of
-/// elements' faces; else it lies where a component of the field has a value.
+/// The equation of a surface, common to all elements' pieces. Without a field, the surface consists
+/// of elements' faces; otherwise it is the set where a component of the field has a value.
 struct CurvedEquation
 {
   Mesh mesh;
@@ -21,48 +21,50 @@ struct CurvedEquation
   double value = 0.0;
 };
 
-/// An element's part of a surface: one of its faces (FacesOf), or what of an iso-surface is in it.
+/// An element's part of a surface: one of its faces (FacesOf), or the part of an iso-surface in it.
 struct CurvedPart
 {
   std::int32_t element = -1;
   std::int32_t face = -1;
 };
 
-/// A box of eta (of a face, flat), and what is proven of the four functions
-///   y = Phi in the element's units,  f = the face's plane in xi, or (F - value) 2^-exponent
-/// over it. Derivatives are by xi, which no collapsed edge makes singular.
+/// A box of eta (for a face, flat), and bounds over it of the four functions
+///   y = Phi in the element's units,  f = the face's plane in xi, or (F - value) 2^-exponent.
+/// Derivatives are by xi, so that collapsed edges cause no singularity.
 ///
-/// A search goes past most pieces: what it asks first is in one line of the cache.
+/// Most pieces are skipped by a search; the members that it reads first share a cache line.
 struct alignas(64) CurvedPiece
 {
-  Box3 bounds; ///< in world coordinates: no point of the surface's piece lies outside
-  /// Null before the piece is split; an end without a surface has no bounds (lower > upper).
+  Box3 bounds; ///< in world coordinates; contains the piece of the surface
+  /// Null before the piece is subdivided. A leaf without a surface has empty bounds (lower >
+  /// upper).
   mutable std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
   int subdivisions = 0;
-  /// The ranges are so small that most rays are decided here, or it has been halved often enough to
-  /// ask first.
+  /// The ranges are so small that most rays are decided here, or the piece has been subdivided so
+  /// often that it is tested first.
   bool flat = false;
-  /// f vanishes throughout, or all of a face's piece is one point, up to rounding: no halving
-  /// decides what f is.
+  /// f vanishes everywhere, or a face's piece is a single point, up to rounding, so subdivision
+  /// does not decide anything.
   bool plateau = false;
   /// Second derivatives are known.
   bool curves = false;
 
-  /// Of a plateau: `halvings` of the largest piece about it that is one. A root of order n makes a
-  /// plateau of all that is nearer than the n-th root of rounding: thin, but as wide as the
-  /// element.
+  /// On a plateau: `subdivisions` of the largest plateau piece around this one. Near a root of
+  /// order n, all points closer than the n-th root of rounding form a plateau: thin, but as wide as
+  /// the element.
   int plateauFrom = 0;
   EtaBox box;
-  Vec3 centre{ 0.0 };    ///< in xi
-  Vec3 half{ 0.0 };      ///< the box lies within centre +- half
-  double value[4] = {};  ///< at the centre
-  double error[4] = {};  ///< of it, the map's uncertainty included
-  double slope[4][3]{};  ///< derivatives at the centre; of a magnitude the middles of their ranges
-  double radius[4][3]{}; ///< how far from these the derivatives are over the box
-  /// How far the functions are over the box from value and slopes, as they are.
+  Vec3 centre{ 0.0 };   ///< in xi
+  Vec3 half{ 0.0 };     ///< the box lies within centre +- half
+  double value[4] = {}; ///< at the centre
+  double error[4] = {}; ///< error of `value`, including the map's uncertainty
+  double slope[4][3]{}; ///< derivatives at the centre; for a magnitude, the middles of their ranges
+  double radius[4][3]{}; ///< largest deviation of the derivatives over the box
+  /// Largest deviation, over the box, of the functions from value plus slopes.
   double bend[4] = {};
-  /// Second derivatives: of a slope d by xi_d, and by the next xi. At xi slope d is slope[c][d],
-  /// shift[c][d] and these times xi - centre, up to the rest; of a piece that curves.
+  /// Second derivatives of a piece that curves: three of slope d by xi_d, then three by the next
+  /// xi. At xi, slope d is slope[c][d], plus shift[c][d], plus these times xi - centre, with an
+  /// error of at most `rest`.
   float curve[4][6]{};
   float shift[4][3]{};
   float rest[4][3]{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PieceMath-inl.h and PieceNorms-inl.h for the two unknowns of a face's chart.
+// The functions of PieceMath-inl.h and PieceNorms-inl.h for the two unknowns of a face's chart.
 #if defined(PIXELEXACT_FACE_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_FACE_MATH_INL_H
 #undef PIXELEXACT_FACE_MATH_INL_H
@@ -13,14 +13,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// visit(j) for j = 0, 1, unrolled.
+/// Calls visit(j) for j = 0, 1, unrolled.
 template <class Visit>
 HWY_INLINE void ForBoth(Visit&& visit)
 {
   ForEachUpTo(Const<1>(), visit);
 }
 
-/// Not finite where there is none.
+/// The inverse; not finite if there is none.
 HWY_INLINE void InverseOf(const Lanes (&m)[2][2], Lanes (&inverse)[2][2])
 {
   const Lanes scale = Splat(1.0) / (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
@@ -30,7 +30,7 @@ HWY_INLINE void InverseOf(const Lanes (&m)[2][2], Lanes (&inverse)[2][2])
   inverse[1][1] = m[0][0] * scale;
 }
 
-/// The point of a piece that is taken for one outside of it: the nearest v, then the nearest u.
+/// Clamps a point outside a piece to it: first v, then u.
 HWY_INLINE void ClampTo(bool collapses, const Lanes (&lower)[2], const Lanes (&upper)[2],
   const Lanes (&at)[2], Lanes (&x)[2])
 {
@@ -51,8 +51,8 @@ HWY_INLINE Lanes AcrossAt(const FaceChart& chart, const Lanes (&at)[2])
   return Splat(chart.constant) + Splat(chart.along[0]) * at[0] + Splat(chart.along[1]) * at[1];
 }
 
-/// The rows of K, whose entries are not negative, have about the same sum in max w_i |x_i|, a norm
-/// with these factors; `plain` is K's norm with all factors 1.
+/// Factors w of a norm max w_i |x_i| in which the rows of K, whose entries are not negative, have
+/// about the same sum; `plain`: K's norm with all factors 1.
 HWY_INLINE void EvenNorm(const Lanes (&K)[2][2], Lanes (&w)[2], Lanes& plain)
 {
   const Lanes sum[2] = { K[0][0] + K[0][1], K[1][0] + K[1][1] };
@@ -69,7 +69,7 @@ HWY_INLINE Lanes NormOf(const Lanes (&K)[2][2], const Lanes (&w)[2])
   return Max(first, second);
 }
 
-/// How large K is in the better of two norms.
+/// The norm of K in the better of two norms.
 HWY_INLINE Lanes LeastNorm(const Lanes (&K)[2][2])
 {
   Lanes plain;
@@ -78,8 +78,8 @@ HWY_INLINE Lanes LeastNorm(const Lanes (&K)[2][2])
   return Min(plain, NormOf(K, even));
 }
 
-/// A norm in which ClampTo brings no two points farther from each other. Of two, the one in which K
-/// is smaller; returns how large. A NaN in K gives no number, or an infinite one.
+/// Chooses the better of two norms in which ClampTo increases no distance, and returns K's norm. A
+/// NaN in K gives NaN or infinity.
 HWY_INLINE Lanes ChooseNorm(bool collapses, const Lanes (&K)[2][2], Lanes (&w)[2])
 {
   Lanes plain;

@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-/// None where the face's functions are no polynomials of u and v.
+/// None if the face's functions are not polynomials of u and v.
 std::optional<Space> SpaceOn(const Space& space, const FaceChart& chart)
 {
   if (space.MaxOrder() > FaceRestriction::kHighestOrder ||
@@ -26,7 +26,7 @@ std::optional<Space> SpaceOn(const Space& space, const FaceChart& chart)
   }
   if (chart.collapses)
   {
-    // The order along xi3 is that of all directions together.
+    // The order along xi3 is the total order.
     const std::uint8_t total = space.order[2];
     return Space{ Shape::Prism, Form::Collapsed, { total, 0, total } };
   }
@@ -36,7 +36,7 @@ std::optional<Space> SpaceOn(const Space& space, const FaceChart& chart)
   return Space{ Shape::Hexahedron, Form::Collapsed, { along(0), 0, along(1) } };
 }
 
-/// Of each mode, the largest magnitude.
+/// The largest magnitude of each mode.
 std::vector<double> LargestOf(const Space& space)
 {
   std::vector<double> largest;
@@ -45,7 +45,7 @@ std::vector<double> LargestOf(const Space& space)
   return largest;
 }
 
-/// Of three components, the largest sum of |coefficient| |mode|.
+/// The largest, over the three components, of the sums of |coefficient| |mode|.
 double LargestSum(std::span<const double> coefficients, std::span<const double> modes)
 {
   double largest = 0.0;
@@ -61,8 +61,8 @@ double LargestSum(std::span<const double> coefficients, std::span<const double> 
   return rounding::Above(largest * (1.0 + 1e-12));
 }
 
-/// What a long double's rounding and the solution for the matrix leave, relative to the sum of the
-/// element's modes: thousands of the former.
+/// Error of the matrix from its solution in long doubles, relative to the sum of the element's
+/// modes: thousands of long double roundings.
 constexpr double kOfMatrix = 0x1p-52;
 } // namespace
 
@@ -72,7 +72,7 @@ BoxPolynomial OverFace(const FaceChart& chart, const RangeIngredient& ingredient
   const auto u = static_cast<std::size_t>(chart.free[0]);
   const auto v = static_cast<std::size_t>(chart.free[1]);
   BoxPolynomial over = ingredient.Over(level, { piece[u], 0, piece[v] }, { Vec3(-1.0), Vec3(1.0) });
-  // In the order of the element's directions, so that coefficients lie where they lay.
+  // In the order of the element's directions, so that the coefficients keep their places.
   const int degree[2] = { over.degree[0], over.degree[2] };
   over.degree = {};
   over.degree[u] = degree[0];
@@ -113,7 +113,7 @@ double FaceMap::OutwardSign() const
     tangent[j][chart_.free[j]] = 1.0;
     tangent[j][chart_.across] = chart_.along[j];
   }
-  // Distances grow inwards.
+  // Distances increase inwards.
   return glm::dot(glm::cross(tangent[0], tangent[1]), Inwards) < 0.0 ? 1.0 : -1.0;
 }
 
@@ -181,7 +181,7 @@ std::optional<FaceModes> FaceRestriction::Of(const Mesh& mesh, const CurvedPart&
   const std::array<double, 3> shifts{};
   ChangeOfBasis::Scratch scratch;
   change->matrix.Apply(inElement, shifts, modes.coefficients, scratch);
-  // Each coefficient is rounded once; the matrix is that of long doubles.
+  // Each coefficient is rounded once; the matrix was computed in long doubles.
   modes.error = kUnitRoundoff * LargestSum(modes.coefficients, change->largest) +
     kOfMatrix * LargestSum(inElement, change->inElement);
   return modes;

@@ -17,17 +17,18 @@
 
 namespace pixelexact
 {
-/// The map on a face as a polynomial of its chart (FaceChart) alone: what Newton's iteration and
-/// normals ask for has fewer modes than in the element, and two slopes.
+/// The map on a face as a polynomial of its chart (FaceChart). Newton's iteration and normals need
+/// fewer modes of it than in the element, and two slopes.
 struct FaceModes
 {
-  /// Of a hexahedron or, of triangles, a prism, without order along xi2: u is its xi1, v its xi3.
+  /// The space of a hexahedron or, for triangles, of a prism, of order 0 along xi2: u is its xi1, v
+  /// its xi3.
   Space space;
   std::vector<double> coefficients; ///< three components, in the element's units
-  /// No coordinate is farther from the element's map, on the face: some roundings.
+  /// Largest difference of a coordinate from the element's map on the face: some roundings.
   double error = 0.0;
 
-  /// The same of derivatives by u and v (Markov's inequality on a body as wide as the face's).
+  /// The same for derivatives by u and v (Markov's inequality on a body as wide as the face).
   [[nodiscard]] double SlopeError() const
   {
     const double n = space.MaxOrder();
@@ -35,8 +36,8 @@ struct FaceModes
   }
 };
 
-/// What a function of the chart is over the face's side of a piece of the element, along the
-/// element's directions.
+/// The polynomial, over the face's side of a piece of the element, of a function of the chart, in
+/// the element's directions.
 [[nodiscard]] BoxPolynomial OverFace(const FaceChart& chart, const RangeIngredient& ingredient,
   int level, const PieceForm::Piece& piece);
 
@@ -44,15 +45,15 @@ struct FaceModes
 class FaceMap
 {
 public:
-  /// `modes`: of the face, or null. What is referred to must outlive it.
+  /// `modes`: of the face, or null. The arguments' objects must outlive the map.
   FaceMap(const Mesh& mesh, const CurvedPart& part, const FaceModes* modes);
 
-  /// At points of the face: value[c] of each coordinate, and slope[2 c + j], its derivatives by u
-  /// (j = 0) and v. slope[6] is room. Arrays hold PaddedCount(xi.count) doubles.
+  /// Evaluates points of the face: value[c] is coordinate c, slope[2 c + j] its derivative by u (j
+  /// = 0) or v. slope[6] is scratch memory. Arrays hold PaddedCount(xi.count) doubles.
   void Evaluate(const LanePoints& xi, double* const value[3], double* const slope[7]) const;
   [[nodiscard]] const FaceChart& Chart() const { return chart_; }
-  /// Of the product of the slopes by u and v, where the Jacobian is positive: 1 if it points out of
-  /// the element, else -1.
+  /// 1 if the cross product of the slopes by u and v points out of the element where the Jacobian
+  /// is positive, else -1.
   [[nodiscard]] double OutwardSign() const;
 
 private:
@@ -66,25 +67,25 @@ private:
   const double* Coefficients;
 };
 
-/// Makes FaceModes. What faces of one number have in common in elements of one space is made once.
+/// Computes FaceModes. The matrices for a face number and a space of elements are computed once.
 /// Safe to use from several threads.
 class FaceRestriction
 {
 public:
-  /// None where the map on the face is no polynomial of the chart, as on triangles of pyramids in
-  /// tensor form, and above kHighestOrder.
+  /// None if the map on the face is not a polynomial of the chart, as on triangles of pyramids in
+  /// tensor form, and for orders above kHighestOrder.
   [[nodiscard]] std::optional<FaceModes> Of(const Mesh& mesh, const CurvedPart& part) const;
 
-  /// Matrices of higher orders are large, and seldom wanted.
+  /// Matrices of higher orders are large, and seldom needed.
   static constexpr int kHighestOrder = 12;
 
 private:
-  /// From an element's modes to a face's.
+  /// The change from an element's modes to a face's.
   struct Change
   {
     ChangeOfBasis matrix;
-    std::vector<double> largest;   ///< of each of the face's modes, on the face
-    std::vector<double> inElement; ///< of each of the element's, in it
+    std::vector<double> largest;   ///< largest magnitude of each of the face's modes, on the face
+    std::vector<double> inElement; ///< the same of each of the element's modes, in the element
   };
   using Key = std::pair<Space, std::int32_t>;
   [[nodiscard]] const Change* ChangeFor(const Space& space, std::int32_t face) const;

@@ -9,14 +9,14 @@
 
 namespace pixelexact
 {
-/// A box in world coordinates that holds a face of an element, moved by the mesh's uncertainty;
-/// much smaller than the element's. Infinite where the map is not finite. `modes`: of the face, or
-/// null.
+/// A box in world coordinates that contains a face of an element, moved by the mesh's uncertainty.
+/// It is much smaller than the element's box. Infinite if the map is not finite. `modes`: of the
+/// face, or null.
 Box3 FaceBox(const Mesh& mesh, const CurvedPart& part, const FaceModes* modes = nullptr);
 
 class FaceMap;
 
-/// The unit normals of an element's face at some xi, out of the element where its Jacobian is
+/// The unit normals of an element's face at points `xi`, out of the element where its Jacobian is
 /// positive; zero where the face has no tangents.
 void FaceNormals(const FaceMap& map, std::span<const Vec3> xi, std::span<Vec3> normals);
 } // namespace pixelexact

@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A piece of a face, as rays of a bundle see it.
+/// A piece of a face, viewed along rays of a bundle.
 class FaceLook
 {
 public:
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  /// Of a pack of rays, those that the piece bends too much for. Appends pairs.
+  /// Tests a pack of rays. Appends pairs, and returns the rays for which the piece bends too much.
   HWY_INLINE LaneMask At(const GatheredRays& rays, std::size_t i, LaneMask active)
   {
     Lanes m[2][2];
@@ -68,8 +68,8 @@ public:
           Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Splat(std::abs(Along))) +
           Traits::Load(&rays.slack[i]) * Splat(Frame.inverseSize);
       });
-    // A root in the piece lies in centre - first +- off, however large that is: first and off times
-    // the determinant tell most of the rays that miss, without a division.
+    // A root in the piece lies in centre - first +- off, for any size of these. Multiplied by the
+    // determinant, first and off exclude most rays without a division.
     const Lanes zero = Splat(0.0);
     const Lanes cofactor[2][2] = { { m[1][1], zero - m[0][1] }, { zero - m[1][0], m[0][0] } };
     const Lanes determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -129,7 +129,7 @@ public:
             const auto radius = [&](std::size_t a) PIXELEXACT_INLINED
             { return Splat(Radius[a][j]) + Abs(slope[a]) * Splat(Radius[2][j]); };
             K[r][j] = Abs(inverse[r][0]) * radius(0) + Abs(inverse[r][1]) * radius(1);
-            // Max may lose a NaN, not so a sum.
+            // Max may drop a NaN; a sum keeps it.
             all = all + K[r][j];
           });
       });
@@ -177,7 +177,7 @@ public:
   }
 
 private:
-  /// Whether nothing of a box about the centre is in the piece, whose ends in u move with v.
+  /// A box around the centre does not meet the piece, whose ends in u depend on v.
   [[nodiscard]] HWY_INLINE LaneMask IsBeside(const Lanes (&lower)[2], const Lanes (&upper)[2]) const
   {
     const int u = Frame.chart.free[0];
@@ -196,9 +196,9 @@ private:
   PiecePairs& Pairs;
   double Along;
   std::size_t Axis[3];
-  double Tangent[3][2]; ///< derivatives on the face, of the coordinates across the rays and along
+  double Tangent[3][2]; ///< derivatives on the face, of the coordinates across and along the rays
   double Radius[3][2];
-  double Rest[3]; ///< of these coordinates, what they are off by beyond slopes
+  double Rest[3]; ///< largest deviation of these coordinates from value plus slopes
 };
 
 RaySet LookAtFace(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
@@ -208,8 +208,8 @@ RaySet LookAtFace(const RayBundle& bundle, const ElementFrame& frame, const Curv
   return LookAt(bundle, rays, piece, pairs, look);
 }
 
-/// A step of Newton's iteration with the slopes at xi where that stays in the piece, and with the
-/// piece's own matrix where it has to be held back.
+/// One step of Newton's iteration, with the slopes at xi if it stays in the piece, and with the
+/// piece's own matrix if it must be clamped.
 void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double* values,
   std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Some rays of a bundle in whole packs.
+// A subset of a bundle's rays in whole packs.
 #if defined(PIXELEXACT_GATHERED_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_GATHERED_RAYS_INL_H
 #undef PIXELEXACT_GATHERED_RAYS_INL_H
@@ -19,7 +19,7 @@ namespace pixelexact::HWY_NAMESPACE
 {
 using Traits = NumberTraits<Lanes>;
 
-/// test(i, mask) for each pack of rays of the set; returns those that passed.
+/// Calls test(i, mask) for each pack of rays of the set. Returns those that passed.
 template <class Test>
 HWY_INLINE RaySet ForEachPack(const RaySet& rays, Test&& test)
 {
@@ -34,7 +34,7 @@ HWY_INLINE RaySet ForEachPack(const RaySet& rays, Test&& test)
   return result;
 }
 
-/// The rays of a set, one after the other.
+/// The rays of a set, gathered into contiguous arrays.
 class GatheredRays
 {
 public:

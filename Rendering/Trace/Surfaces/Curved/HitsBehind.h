@@ -8,7 +8,7 @@
 
 namespace pixelexact
 {
-/// FindBehind at hits of a face, from number `first` on: one for each.
+/// FindBehind at the hits of a face from number `first` on, one result per hit.
 std::vector<BehindFace> HitsBehind(const Locator& locator, const CurvedPart& part,
   const std::vector<CurvedHit>& hits, std::size_t first);
 } // namespace pixelexact

@@ -20,9 +20,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the values' size: what rounding, and the solver's own, leave of a jump that is none.
+/// Relative to the values' magnitude: bound of rounding, including the solver's, without a jump.
 constexpr double kNoJump = 1e-12;
-/// Of xi.
+/// Largest difference in xi of points of one face in two elements.
 constexpr double kSameWay = 1e-9;
 
 ValueIndex RangesFor(const CurvedEquation& equation)
@@ -49,8 +49,8 @@ struct Chosen
   AcrossFace across;
 };
 
-/// The affine way that takes n x n points of a face to those of another one; none where there is no
-/// such way.
+/// The affine map that takes n x n points of a face to those of another face; none if no affine map
+/// does.
 AcrossFace WayAcross(int element, std::span<const Vec3> from, std::span<const Vec3> to)
 {
   const auto side =
@@ -65,7 +65,7 @@ AcrossFace WayAcross(int element, std::span<const Vec3> from, std::span<const Ve
   for (std::size_t i = 0; i < from.size(); ++i)
   {
     const Vec3 off = glm::abs(across.At(from[i]) - to[i]);
-    // Written so that a NaN is off.
+    // The comparison rejects a NaN.
     if (!(std::max({ off.x, off.y, off.z }) <= kSameWay))
     {
       across.element = -1;
@@ -122,7 +122,7 @@ private:
       [&](int other) { return other != element && MayBeBetween(mine, Ranges.RangeOf(other)); });
   }
 
-  /// Whether the sides do not agree; also where that is not known.
+  /// The values on the two sides differ, or this is unknown.
   [[nodiscard]] bool Jumps(const ElementFace& face, AcrossFace& across) const
   {
     const Mesh& mesh = Equation.mesh;
@@ -170,7 +170,7 @@ private:
     {
       const bool counts =
         Equation.component == kMagnitude || static_cast<int>(i % components) == Equation.component;
-      // Written so that a NaN differs.
+      // The comparison counts a NaN as a difference.
       if (counts && !(std::fabs(a[i] - b[i]) <= kNoJump * size))
       {
         return true;

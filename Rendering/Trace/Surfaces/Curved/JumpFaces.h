@@ -10,11 +10,11 @@
 
 namespace pixelexact
 {
-/// Of a face that is one with another element's: its points in xi there. Faces in xi are
-/// parallelograms and triangles, so that the way is affine.
+/// The affine map from a face to the same face of another element, in xi. Faces in xi are
+/// parallelograms and triangles, so the map is affine.
 struct AcrossFace
 {
-  std::int32_t element = -1; ///< none: no such face
+  std::int32_t element = -1; ///< the other element; -1: there is none
   Vec3 from{ 0.0 };
   Vec3 to{ 0.0 };
   Mat3 turn{ 0.0 };
@@ -22,11 +22,12 @@ struct AcrossFace
   [[nodiscard]] Vec3 At(const Vec3& xi) const { return to + turn * (xi - from); }
 };
 
-/// Faces between elements on which walls of an iso-surface may be (JumpWalls): the value lies in
-/// what the certified ranges of the elements on both sides span, and both sides' values differ at
-/// Gauss points that tell polynomials apart, by more than 1e-12 of these ranges' largest number.
-/// Of two faces that are one, that of the lower element; of faces that meet several others, or
-/// cover a part of one, all. In order. Parallel; the same for any number of threads.
+/// Faces between elements on which walls of an iso-surface may lie (JumpWalls). The value lies in
+/// the hull of the certified ranges of the elements on both sides. Both sides' values differ, at
+/// Gauss points that determine polynomials, by more than 1e-12 of the largest magnitude in these
+/// ranges. If two elements have the same face, only that of the lower element is included. Faces
+/// that meet several others, or cover a part of one, are all included. In order. Parallel; the
+/// result does not depend on the number of threads.
 struct JumpFaces
 {
   JumpFaces(const Locator& locator, const FaceTable& table, const CurvedEquation& equation);

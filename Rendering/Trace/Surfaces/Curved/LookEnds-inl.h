@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What looks at volumes leave: pairs to be solved for, and rays that stay open.
+// Results of looks at volumes: pairs to be solved, and rays that stay open.
 #if defined(PIXELEXACT_LOOK_ENDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_LOOK_ENDS_INL_H
 #undef PIXELEXACT_LOOK_ENDS_INL_H
@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Rays in the element's units: y_a - slope_a y_k = place_a, up to slack.
+/// Rays in the element's units: y_a - slope_a y_k = place_a, with an error of at most `slack`.
 struct LookRays
 {
   Lanes number;
@@ -26,19 +26,18 @@ struct LookRays
   Lanes place[2];
 };
 
-/// Where a piece may hold two roots of a ray, the side on which this one lies: normal . xi >=
-/// least.
+/// If a piece may hold two roots of a ray, the side on which this root lies: normal . xi >= least.
 struct RootSide
 {
   Lanes normal[3];
   Lanes least;
 };
 
-/// Where in a piece a root is looked for.
+/// The point of a piece where the search of a root starts.
 struct RootStart
 {
   Lanes xi[3];       ///< in the piece
-  LaneMask isInside; ///< where it was expected
+  LaneMask isInside; ///< the root is expected there
 };
 
 HWY_INLINE RootStart StartOf(Shape shape, const CurvedPiece& piece, const Lanes (&expected)[3])
@@ -59,7 +58,7 @@ HWY_INLINE RootStart StartOf(Shape shape, const CurvedPiece& piece, const Lanes 
   return start;
 }
 
-/// Appends pairs for some lanes, each with one root at most on its side.
+/// Appends pairs for the lanes `some`, each with at most one root on its side.
 HWY_INLINE void AppendPairs(PiecePairs& pairs, LaneMask some, const LookRays& rays,
   const CurvedPiece& piece, const RootStart& start, const RootSide& side)
 {
@@ -86,7 +85,7 @@ HWY_INLINE void AppendPairs(PiecePairs& pairs, LaneMask some, const LookRays& ra
   pairs.count += std::popcount(which);
 }
 
-/// Writes columns of some lanes behind the rays that are there.
+/// Writes columns of some lanes after the existing rays.
 class OpenWriter
 {
 public:
@@ -122,7 +121,7 @@ HWY_INLINE void PutRays(const OpenWriter& writer, const LookRays& rays, const Ro
     });
 }
 
-/// Appends rays, with where their roots may be, from the piece's centre.
+/// Appends rays with the boxes of their roots, relative to the piece's centre.
 HWY_INLINE void AppendNear(
   OpenRays& near, LaneMask some, const LookRays& rays, const RootBox& roots)
 {
@@ -134,7 +133,7 @@ HWY_INLINE void AppendNear(
   }
 }
 
-/// Appends rays that stay open, with a point near the root and the side that it is on, too.
+/// Appends rays that stay open, with the boxes of their roots, a point near the root, and its side.
 HWY_INLINE void AppendOpen(OpenRays& open, LaneMask some, const LookRays& rays,
   const RootBox& roots, const RootStart& start, const RootSide& side)
 {
@@ -164,7 +163,8 @@ HWY_INLINE LookRays LoadRays(OpenRays& open, int i)
     { load(kOpenPlaceColumn), load(kOpenPlaceColumn + 1) } };
 }
 
-/// at(first, active) for packs of `count` rays that are open; returns those for which it said so.
+/// Calls at(first, active) for packs of `count` open rays. Returns the rays of the lanes that it
+/// returned.
 template <class Look>
 HWY_INLINE RaySet LookAtOpen(
   OpenRays& open, int count, const CurvedPiece& piece, PiecePairs& pairs, Look&& at)
@@ -175,7 +175,7 @@ HWY_INLINE RaySet LookAtOpen(
   {
     const int left = std::min(count - i, LaneCount());
     const LaneMask active = MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(left)) - 1U);
-    // What stays open may be written over packs that have been read.
+    // Rays that stay open may overwrite packs that have been read.
     const Lanes number = Traits::Load(open.Column(kOpenRayColumn) + i);
     AddRays(BitsOf(at(i, active)), number, unclear);
   }

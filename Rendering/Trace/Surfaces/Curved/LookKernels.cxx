@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A piece, as rays of a bundle see it.
+/// A piece, viewed along rays of a bundle.
 class PieceLook
 {
 public:
@@ -25,7 +25,8 @@ public:
   {
   }
 
-  /// Of a pack of rays, those of which nothing is known. Appends those that may meet the piece.
+  /// Tests a pack of rays. Appends those that may meet the piece, and returns those about which
+  /// nothing is proven.
   HWY_INLINE LaneMask At(const GatheredRays& gathered, std::size_t i, LaneMask active)
   {
     Lanes m[3][3];
@@ -76,7 +77,7 @@ public:
         };
         const Lanes uncertain = times(rounding);
         known = known + uncertain;
-        // A root in the piece lies in centre - first +- off, however large that is.
+        // A root in the piece lies in centre - first +- off, for any size of these.
         const Lanes off = (uncertain + times(bend)) * Splat(kMore) + Splat(kSlack);
         const Lanes half = Splat(Piece.half[r] * kMore);
         misses = Or(misses, half + off < Abs(first[r]));

@@ -6,12 +6,12 @@
 
 namespace pixelexact
 {
-/// What a piece looks like to rays, in lanes: dispatched at run time to the instruction set, with
-/// the same bits on all of them.
+/// Tests of rays against a piece, in lanes, dispatched at run time to the instruction set, with the
+/// same bits on all of them.
 struct LookKernels
 {
-  /// Of rays and a flat piece: makes `near` those that may meet it, and returns those of which
-  /// nothing is known. The others miss it, proven.
+  /// Tests rays against a flat piece: sets `near` to the rays that may meet it, and returns those
+  /// about which nothing is proven. The other rays are proven to miss it.
   RaySet (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
     const RaySet& rays, OpenRays& near);
 };

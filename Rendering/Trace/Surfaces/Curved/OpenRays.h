@@ -7,22 +7,23 @@
 
 namespace pixelexact
 {
-/// A ray that a look at a piece leaves open, and where in the piece its roots may be.
+/// Columns of a ray that stays open after a look at a piece, and of the box of its roots in the
+/// piece.
 enum OpenColumn
 {
   kOpenRayColumn,
-  kOpenSlackColumn,                        ///< how far off places may be, in the element's units
+  kOpenSlackColumn,                        ///< error of places, in the element's units
   kOpenSlopeColumn,                        ///< 2: of the ray
-  kOpenPlaceColumn = kOpenSlopeColumn + 2, ///< 2: as of a pair
-  kOpenLowerColumn = kOpenPlaceColumn + 2, ///< 3: xi, from the piece's centre
+  kOpenPlaceColumn = kOpenSlopeColumn + 2, ///< 2: as in PairColumn
+  kOpenLowerColumn = kOpenPlaceColumn + 2, ///< 3: xi, relative to the piece's centre
   kOpenUpperColumn = kOpenLowerColumn + 3, ///< 3
   kOpenXiColumn = kOpenUpperColumn + 3,    ///< 3: a point of the piece near the root
-  kOpenSideColumn = kOpenXiColumn + 3,     ///< 3: as of a pair
+  kOpenSideColumn = kOpenXiColumn + 3,     ///< 3: as in PairColumn
   kOpenLeastColumn = kOpenSideColumn + 3,
   kOpenColumns
 };
 
-/// A ray may be there twice, with two places.
+/// Rays that stay open. A ray may occur twice, with two boxes of roots.
 struct OpenRays
 {
   static constexpr std::size_t kStride = 2 * RayBundle::kMax + 2 * kLanePadding;

@@ -16,15 +16,15 @@ namespace pixelexact
 {
 namespace
 {
-/// Ranges of slopes, relative to the slopes, up to which a piece is flat: of faces, and of volumes.
+/// Largest ranges of slopes, relative to the slopes, of flat pieces: of faces, and of volumes.
 constexpr double kFlat[2] = { 0.2, 0.3 };
-/// Of f and y: values that rounding may have made of a zero.
+/// Largest magnitude of f and y that may result from rounding of a zero.
 constexpr double kPlateau = 1e-14;
-/// Subdivisions at once, however it bends.
+/// Count of subdivisions after which a piece is flat even if it bends: of faces, and of volumes.
 constexpr int kAtOnce[2] = { 8, 11 };
 
-/// On a straight way in xi from a box's centre the part of the way is no less than that of eta's,
-/// times this: by how much the shape is wider, at most, than at the centre.
+/// Factors for straight lines in xi from a box's centre: progress in xi is at least progress in eta
+/// times the factor. They are the largest ratio of the shape's width to that at the centre.
 Vec3 WideningOf(Shape shape, const EtaBox& box)
 {
   const auto ratio = [&box](int d)
@@ -45,18 +45,20 @@ Vec3 WideningOf(Shape shape, const EtaBox& box)
   }
 }
 
-/// A derivative of function c by xi_d: its value at the centre, and how far it is from that.
+/// Sets a derivative of function c by xi_d: its value at the centre, and its largest deviation from
+/// it.
 void SetSlope(const BoxPolynomial& by, std::size_t c, std::size_t d, CurvedPiece& piece)
 {
   piece.slope[c][d] = by.At({ 0.0, 0.0, 0.0 }).Middle();
   piece.radius[c][d] = by.Hull().RadiusAround(piece.slope[c][d]);
 }
 
-/// Of a polynomial's largest coefficient: more than rounding leaves of an error in a value.
+/// Relative to a polynomial's largest coefficient; exceeds the rounding of an evaluation.
 constexpr double kEvaluation = 4096.0 * kUnitRoundoff;
 
-/// What is left of function c beyond value and slopes, by the derivatives along each xi: their mean
-/// on the way from the centre, less what they are there, is half of what they may be at its end.
+/// Bounds function c minus value and slopes, by the derivatives along each xi. The mean of a
+/// derivative on the line from the centre differs from its value there by half of its largest
+/// change.
 void SetBend(
   std::span<const BoxPolynomial> by, const Vec3& widening, std::size_t c, CurvedPiece& piece)
 {
@@ -66,7 +68,8 @@ void SetBend(
     double varies = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      // Its derivative by a coordinate that goes from 0 to 1, of which half is on either side.
+      // The derivative is by a coordinate from 0 to 1, half of which is on either side of the
+      // centre.
       varies += 0.5 * widening[k] * by[d].Variation(k, 1);
     }
     const double largest = std::fabs(piece.slope[c][d]) + piece.radius[c][d];
@@ -118,7 +121,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   }
   for (std::size_t c = 0; c < 4; ++c)
   {
-    // The centre is rounded, too.
+    // Includes the rounding of the centre.
     double largest = std::fabs(piece.value[c]);
     for (std::size_t d = 0; d < 3; ++d)
     {
@@ -162,7 +165,7 @@ void PartTree::SetCurvature(CurvedPiece& piece, const Polys& polys) const
     piece.curves = piece.curves && corners.SetCurvature(all.subspan(13, 3), 3, piece);
     return;
   }
-  // Of a magnitude no polynomial is kept.
+  // For a magnitude there is no polynomial.
   for (std::size_t d = 0; d < 3; ++d)
   {
     piece.curves = piece.curves && piece.radius[3][d] < std::numeric_limits<float>::max();
@@ -213,7 +216,8 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
   }
 }
 
-/// f is the sum of the components' squares: its slopes change with the components and with theirs.
+/// f is the sum of the components' squares, so its slopes change with the components and with their
+/// slopes.
 double PartTree::MagnitudeVariation(const Polys& polys, int direction) const
 {
   constexpr std::size_t kFirst = 12;
@@ -233,8 +237,9 @@ double PartTree::MagnitudeVariation(const Polys& polys, int direction) const
   return sum;
 }
 
-/// Along which the slopes vary most, compared with the largest slope anywhere in the piece: the one
-/// at its centre may be zero. Of a field's plateau, along which it is longest.
+/// The direction along which the slopes vary most, relative to the largest slope anywhere in the
+/// piece, because the slope at its centre may be zero. For a field's plateau, the longest
+/// direction.
 int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
 {
   double largest[2] = { 0.0, 0.0 };
@@ -255,7 +260,7 @@ int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
     {
       continue;
     }
-    // Where nothing varies, or nothing is known of slopes, the widest.
+    // The width decides where nothing varies, or slopes are unknown.
     double sum = 1e-9 * width;
     const auto add = [&](double variation, double scale)
     { sum += scale > 0.0 ? variation / scale : 0.0; };

@@ -16,17 +16,18 @@ namespace pixelexact
 {
 namespace
 {
-/// In xi: how far from a face's plane a hit of it may be.
+/// Largest distance, in xi, of a hit from its face's plane.
 constexpr double kOnFace = 1e-9;
 
-/// Of a chord: how far apart two sheets may leave their elements that are one surface.
+/// Largest distance, relative to the chord, of the points where two sheets of one surface leave
+/// their elements.
 constexpr double kApart = 1e-3;
 
-/// Of nodes, for whether the surface meets a region.
+/// Limit for subdivisions of nodes in the test of a region.
 constexpr int kSubdivisions = 12;
 
-/// How far a sheet that leaves its element, or a chord on it, is off the straight line between two
-/// points that is `beside` off at its end: the rays are nearly parallel.
+/// Bounds the distance from a straight line to a sheet that leaves its element, or to a chord on
+/// it, from the distance `beside` at the line's end. The rays are nearly parallel.
 double Off(const SheetExit& exit, double sagitta, const Vec3& chord, const Vec3& turn)
 {
   const double sine = glm::length(glm::cross(exit.point.direction, chord)) / glm::length(chord);
@@ -133,8 +134,8 @@ double PartSagitta::Of(
       return sagitta;
     }
   }
-  // From one sheet to the next: each up to where it leaves its element. Which ray goes through a
-  // point between the two is known where all come from one point, or are parallel.
+  // Follows each of the two sheets to where it leaves its element. The ray through a point between
+  // the two is known if all rays come from one point, or are parallel.
   if (a.origin != b.origin)
   {
     if (a.direction != b.direction)
@@ -151,7 +152,8 @@ double PartSagitta::Of(
     {
       const Reach back =
         std::isfinite(there.off) ? ReachOf(ends[1], second, ends[0].point) : Reach{};
-      // Together they reach all rays, and they are one surface: else one of them hides the other.
+      // Together the two sheets reach all rays. They must also be one surface; otherwise one may
+      // hide the other.
       const double apart = kApart * glm::distance(atA.position, atB.position) +
         kOnFace *
           (Equation.mesh.size[static_cast<std::size_t>(atA.element)] +

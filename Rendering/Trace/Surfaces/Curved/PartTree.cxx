@@ -12,11 +12,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Where rays need smaller pieces, they soon need smaller ones still: conversion costs as much as
-/// some halvings.
+/// Additional levels of a subdivision. Rays that need smaller pieces soon need even smaller ones,
+/// and a conversion costs as much as several subdivisions.
 constexpr int kBesides = 2;
 
-/// Estimated, in nanoseconds: two halves, beside what their coefficients cost.
+/// Estimated cost of two children without their coefficients, in nanoseconds.
 constexpr std::int64_t kCostOfTwo = 2000;
 
 std::atomic<std::int64_t> bytesKept{ 0 };
@@ -102,7 +102,7 @@ PartTree::PartTree(
   if (equation.field != nullptr)
   {
     const Expansion& values = equation.field->values;
-    // The others' sizes, or that they are not finite, do not matter.
+    // Magnitude and finiteness of the other components do not matter.
     const Space& space = values.SpaceOf(part.element);
     const int first = equation.component == kMagnitude ? 0 : equation.component;
     Field.emplace(space,
@@ -294,7 +294,7 @@ std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
   return polys;
 }
 
-/// Describes a piece, and halves it while it bends, and so often besides.
+/// Describes a piece, and subdivides it while it bends, and then `besides` more levels.
 void PartTree::Fill(CurvedPiece& piece, Polys polys, int besides) const
 {
   Describe(piece, polys);
@@ -336,7 +336,7 @@ PieceChildren PartTree::GetChildren(const CurvedPiece& piece) const
   {
     return { made, nullptr };
   }
-  // Always so many at once: numbers that halving has made are others than those of restriction.
+  // The count of levels is fixed, because subdivision and restriction round differently.
   const auto make = [&]
   {
     std::unique_ptr<const Children> children;

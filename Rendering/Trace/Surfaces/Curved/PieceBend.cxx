@@ -15,8 +15,8 @@ namespace pixelexact
 namespace
 {
 
-/// The inverse's magnitudes times those of another matrix, the largest row sum; infinite where
-/// there is no inverse.
+/// The largest row sum of the inverse's magnitudes times those of another matrix; infinite without
+/// an inverse.
 double Relative(const SmallMatrix& matrix, const SmallMatrix& radius, std::size_t columns)
 {
   const auto inverse = Inverse(3, matrix);
@@ -76,7 +76,7 @@ double BendOf(const CurvedPiece& piece, bool hasField)
     return inverse && length > 0.0 ? std::max(Relative(slope, radius, 3), change / length)
                                    : kInfinity;
   }
-  // Tangents along two directions in the face, and the normal, as long as they are.
+  // Two tangents in the face and the normal, not normalised.
   const Vec3 across(piece.slope[3][0], piece.slope[3][1], piece.slope[3][2]);
   const Vec3 size = glm::abs(across);
   const int last = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -5,8 +5,8 @@
 
 namespace pixelexact
 {
-/// How much the slopes vary over a piece, relative to themselves: of a face's tangents and normal,
-/// or, with a field, of the map and of the field's gradient. Infinite where there is nothing to
-/// compare with: no Jacobian, no gradient, no normal.
+/// Variation of the slopes over a piece, relative to the slopes: of a face's tangents and normal
+/// or, with a field, of the map and of the field's gradient. Infinite if there is no Jacobian,
+/// gradient or normal to compare with.
 [[nodiscard]] double BendOf(const CurvedPiece& piece, bool hasField);
 } // namespace pixelexact

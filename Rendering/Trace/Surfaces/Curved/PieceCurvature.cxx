@@ -18,7 +18,7 @@ namespace
 {
 using Corners = std::array<double, 8>;
 
-/// Half of the change from the lower to the upper ends along a direction, on average.
+/// Half of the mean change from the lower to the upper ends along a direction.
 template <class Value>
 Value ChangeAlong(unsigned direction, const std::array<Value, 8>& at)
 {
@@ -31,8 +31,9 @@ Value ChangeAlong(unsigned direction, const std::array<Value, 8>& at)
   return sum;
 }
 
-/// A polynomial less the function that is linear in each direction and has these values at the
-/// corners, whose coefficients are its values on the grid of the polynomial's.
+/// The range of a polynomial minus the function that is linear in each direction and has these
+/// values at the corners. The coefficients of the latter are its values on the grid of the
+/// polynomial's coefficients.
 Interval LessThese(const Corners& at, const BoxPolynomial& p)
 {
   std::array<std::size_t, 3> last;
@@ -42,7 +43,7 @@ Interval LessThese(const Corners& at, const BoxPolynomial& p)
   for (std::size_t d = 3; d-- > 0;)
   {
     const auto n = static_cast<std::size_t>(p.degree[d]);
-    // What does not vary is compared at both ends.
+    // A direction without variation is compared at both ends.
     last[d] = std::max<std::size_t>(n, 1);
     step[d] = 1.0 / static_cast<double>(last[d]);
     stride[d] = n > 0 ? count : 0;
@@ -114,7 +115,7 @@ bool PieceCorners::SetCurvature(
     const Vec3 change(ChangeAlong(0, at), ChangeAlong(1, at), ChangeAlong(2, at));
     second[static_cast<int>(d)] = change * ToXi;
   }
-  // What is kept is symmetric, and the rest is told of it.
+  // The stored matrix is symmetric; `rest` bounds the difference.
   float* const kept = piece.curve[c];
   for (int d = 0; d < 3; ++d)
   {
@@ -135,7 +136,7 @@ bool PieceCorners::SetCurvature(
     }
     const double size =
       std::fabs(piece.slope[c][d]) + piece.radius[c][d] + 2.0 * glm::dot(glm::abs(row), piece.half);
-    // What third derivatives leave is on one side, often: about its middle it is half.
+    // Third derivatives often shift slopes to one side; a bound about the middle is half as large.
     const Interval less = LessThese(at, by[d]);
     const auto shift = static_cast<float>(less.Middle());
     const double rest = less.RadiusAround(shift) + by[d].error + Gamma(32) * size;

@@ -10,23 +10,23 @@
 
 namespace pixelexact
 {
-/// No smaller; infinite where no finite float is.
+/// The least float that is not below `value`; infinite if there is no finite one.
 float AboveFloat(double value);
 
-/// How xi goes with eta over a piece: linear in each of its directions.
+/// xi as a function of eta over a piece, linear in each direction of eta.
 class PieceCorners
 {
 public:
-  /// With centre and half of the piece known.
+  /// Centre and half-extents of the piece must be set.
   PieceCorners(Shape shape, const CurvedPiece& piece);
 
-  /// Second derivatives of function c, from its derivatives by xi (three, over the piece), and how
-  /// far these are from what they say. False, and nothing set, where something is not finite.
+  /// Sets the second derivatives of function c from its three derivatives by xi over the piece, and
+  /// their error. Returns false, and sets nothing, if a number is not finite.
   [[nodiscard]] bool SetCurvature(
     std::span<const BoxPolynomial> by, std::size_t c, CurvedPiece& piece) const;
 
 private:
-  std::array<Vec3, 8> Off; ///< xi at the corners, from the centre; bit d: the upper end along d
-  Mat3 ToXi{ 0.0 };        ///< from derivatives by eta's way, -1 to 1, to those by xi
+  std::array<Vec3, 8> Off; ///< xi at the corners minus the centre; bit d: the upper end along d
+  Mat3 ToXi{ 0.0 }; ///< converts derivatives by the piece's coordinates in [-1, 1] to those by xi
 };
 } // namespace pixelexact

@@ -13,19 +13,20 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes of the root finder in a piece, and how many are paid for at once.
+/// Largest count of the root finder's boxes in a piece, and how many are paid for at once.
 constexpr int kBoxes = 500;
 constexpr int kBoxesAtOnce = 20;
-/// A piece's polynomials cost this part of what its halves cost.
+/// A piece's polynomials cost this fraction of its children's cost.
 constexpr std::int64_t kPartOfChildren = 4;
-/// Estimated, in nanoseconds: a box of the root finder, and each coefficient of an equation.
+/// Estimated costs, in nanoseconds, of a box of the root finder, and of each coefficient of an
+/// equation.
 constexpr std::int64_t kCostOfBox = 2000;
 constexpr std::int64_t kCostOfCoefficient = 14;
 constexpr int kPolish = 3;
-/// Of an element's size.
+/// Relative to an element's size.
 constexpr double kBlurred = 0.1;
 
-/// y_a - s_a y_k - q_a over a piece.
+/// The polynomial y_a - s_a y_k - q_a over a piece.
 TensorPolynomial Across(const BoxPolynomial& ya, const BoxPolynomial& yk, double slope, double q)
 {
   TensorPolynomial result{ ya.degree, ya.b, 0.0 };
@@ -35,12 +36,12 @@ TensorPolynomial Across(const BoxPolynomial& ya, const BoxPolynomial& yk, double
     largest = std::max({ largest, std::fabs(ya.b[i]), std::fabs(slope * yk.b[i]) });
     result.coefficients[i] = ya.b[i] - slope * yk.b[i] - q;
   }
-  // Roundings here, and of slope and q.
+  // Roundings of this sum, and of slope and q.
   result.error = (ya.error + std::fabs(slope) * yk.error + Gamma(16) * largest) * (1.0 + Gamma(8));
   return result;
 }
 
-/// Whether two equations in two variables are one, up to their errors: a ray in the plane of a flat
+/// Two equations in two variables agree up to their errors: the ray lies in the plane of a flat
 /// face.
 bool AreOne(const TensorPolynomial& a, const TensorPolynomial& b)
 {
@@ -58,7 +59,7 @@ bool AreOne(const TensorPolynomial& a, const TensorPolynomial& b)
   return std::min(same, opposite) <= 4.0 * (a.error * sizeB + b.error * sizeA);
 }
 
-/// The equations of rays over a piece, and what its parameters stand for.
+/// The equations of rays over a piece, in the piece's free directions.
 class PieceSystem
 {
 public:
@@ -78,7 +79,7 @@ public:
     }
   }
 
-  /// Nothing where a ray lies in the plane of a flat face. At most `most` boxes are looked at.
+  /// None if a ray lies in the plane of a flat face. Tests at most `most` boxes.
   [[nodiscard]] std::optional<RootSearchResult> Solve(
     int ray, const std::array<double, 2>& q, int most) const
   {
@@ -111,7 +112,7 @@ public:
     return FindRoots(PolynomialSystem(static_cast<int>(Free.size()), equations), options);
   }
 
-  /// About the nanoseconds that the root finder needs for a box.
+  /// Estimated cost of the root finder for a box, in nanoseconds.
   [[nodiscard]] std::int64_t BoxCost() const
   {
     return kCostOfBox +
@@ -159,7 +160,7 @@ void FindHits(const MetPart& met, PieceSolver& solver, const OpenPiece& open, Ed
   std::vector<CurvedHit>& hits)
 {
   const CurvedEquation& equation = met.equation;
-  // A magnitude's equation is no polynomial that is kept.
+  // No polynomial of a magnitude's equation is available.
   const bool isMagnitude = equation.field != nullptr && equation.component == kMagnitude;
   if (isMagnitude || open.piece->plateau || AreBlurred(met.bundle, equation.mesh, met.part) ||
     !work.Affords(met.tree.SplitCost() / kPartOfChildren))

@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// Whether so little is known of where the rays run, seen from far away, that no piece of the part
-/// decides anything: rounding moves them by a part of the element.
+/// The rays' error, seen from far away, is so large a part of the element that no piece of the part
+/// decides anything.
 [[nodiscard]] bool AreBlurred(const RayBundle& bundle, const Mesh& mesh, const CurvedPart& part);
 
 /// A part, and the rays that come near it.
@@ -22,14 +22,14 @@ struct MetPart
   const RayLanes& rays;
 };
 
-/// An undecided hit of a ray with a piece. Its t is that of the piece's nearest point: no hit in
-/// the piece lies before it.
+/// Adds an undecided hit of a ray with a piece. Its t is that of the piece's nearest point, so no
+/// hit in the piece precedes it.
 void AddUndecided(const RayBundle& bundle, const RayLanes& rays, PieceSolver& solver,
   const OpenPiece& open, std::vector<CurvedHit>& hits);
 
-/// All points where a ray meets a piece that is too small to be halved further, by FindRoots: the
-/// hits that it isolates are certain, and where it cannot tell, or `work` is exhausted, there is an
-/// undecided one.
+/// Finds all points where a ray meets a piece that is too small to be subdivided, by FindRoots.
+/// Isolated roots are certain hits. If the search is undecided, or `work` is exhausted, adds an
+/// undecided hit.
 void FindHits(const MetPart& met, PieceSolver& solver, const OpenPiece& open, EdgeWork& work,
   std::vector<CurvedHit>& hits);
 } // namespace pixelexact

@@ -42,9 +42,8 @@ RaySet MeetBox(const RayBundle& bundle, const Box3& box, const RaySet& rays)
     });
 }
 
-/// A step of Newton's iteration. One that leaves the piece, or of which too many went before,
-/// decides nothing, unless the element ends there and its end is as good as a hit: that is looked
-/// for as near as can be.
+/// One step of Newton's iteration. A step that leaves the piece, or one too many, decides nothing,
+/// unless the element ends there within its tolerance; then the nearest point is searched.
 void Step(const RayBundle& bundle, const ElementFrame& frame, const double* values,
   std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
 {

@@ -9,11 +9,11 @@
 #include <cstdint>
 #include <vector>
 
-// What is done for many rays and pieces of one element, in lanes: dispatched at run time to the
-// instruction set. All of them give the same bits.
+// Operations on many rays and pieces of one element, in lanes, dispatched at run time to the
+// instruction set. All instruction sets give the same bits.
 namespace pixelexact
 {
-/// An element's units, and what roundings leave in them.
+/// An element's units, and its bounds of rounding.
 struct ElementFrame
 {
   Shape shape = Shape::Hexahedron;
@@ -22,29 +22,29 @@ struct ElementFrame
   Vec3 centre{ 0.0 };
   double size = 1.0;
   double inverseSize = 1.0;
-  double rounding = 0.0;  ///< of y and f
-  double tolerance = 0.0; ///< of them where the element's end holds a step back
+  double rounding = 0.0;  ///< error of y and f
+  double tolerance = 0.0; ///< tolerance of y and f where the element's boundary clamps a step
 };
 
-/// A ray and a piece that it may meet in one point at most, and how far the search is. Of a face
-/// matrix, box and norm are those of its chart: the first 4, 2 and 2 of their columns.
+/// A ray, a piece that it may meet in at most one point, and the state of the search. For a face,
+/// matrix, box and norm are those of its chart, in the first 4, 2 and 2 of their columns.
 enum PairColumn
 {
-  kOpenColumn, ///< 1: it counts; 0: it fills a pack, or has come to its end
+  kOpenColumn, ///< 1: the pair is open; 0: it pads a pack, or has ended
   kRayColumn,
-  kPieceColumn,                      ///< its number in PiecePairs
+  kPieceColumn,                      ///< index in PiecePairs::pieces
   kSlopeColumn,                      ///< 2: of the ray
   kPlaceColumn = kSlopeColumn + 2,   ///< 2: q_a = p_a - s_a p_k, in the element's units
   kInverseColumn = kPlaceColumn + 2, ///< 9: of the piece's matrix, row by row
   kLowerColumn = kInverseColumn + 9, ///< 3: the piece's box
   kUpperColumn = kLowerColumn + 3,   ///< 3
   kKappaColumn = kUpperColumn + 3,
-  kLastColumn, ///< the residual before a step that was held back; 0: none
+  kLastColumn, ///< the residual before a clamped step; 0: none
   kRoundsColumn,
   kXiColumn,                     ///< 3
   kNormColumn = kXiColumn + 3,   ///< 3: factors of the norm
-  kSideColumn = kNormColumn + 3, ///< 3: of a root, in a volume, side . xi is
-  kMinColumn = kSideColumn + 3,  ///< at least this
+  kSideColumn = kNormColumn + 3, ///< 3: in a volume, side . xi of a root is
+  kMinColumn = kSideColumn + 3,  ///< at least this number
   kPairColumns
 };
 
@@ -62,7 +62,7 @@ struct PiecePairs
     count = 0;
     pieces.clear();
   }
-  /// Drops packs of which none is open.
+  /// Removes packs without open pairs.
   void DropEnded();
   [[nodiscard]] double* Column(int column)
   {
@@ -80,10 +80,10 @@ enum class PairResult : std::uint8_t
 
 struct PieceKernels
 {
-  /// Of these rays, those that may meet the box within what is left of them.
+  /// Returns the rays that may meet the box within their depths.
   RaySet (*meetBox)(const RayBundle& bundle, const Box3& box, const RaySet& rays);
-  /// A step of all pairs of an iso-surface. `values` are y (3), f, their derivatives (9 and 3) at
-  /// the pairs' xi, each `stride` after the other. Pairs that go on have moved.
+  /// One step of all pairs of an iso-surface. `values` are y (3), f and their derivatives (9 and 3)
+  /// at the pairs' xi, with `stride` numbers per row. Moves the pairs that continue.
   void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,
     std::size_t stride, PiecePairs& pairs, double* const position[3], double* result);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What looking at pieces and solving in them have in common.
+// Functions shared by tests of pieces and Newton's iteration in them.
 #if defined(PIXELEXACT_PIECE_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_PIECE_MATH_INL_H
 #undef PIXELEXACT_PIECE_MATH_INL_H
@@ -12,13 +12,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Steps of Newton's iteration in a piece.
+/// Largest count of Newton's steps in a piece.
 constexpr double kMaxRounds = 40.0;
-/// Of xi: by rounding beside the end of a piece.
+/// Largest distance in xi from a piece that counts as rounding.
 constexpr double kEdge = 1e-15;
 
-/// The point of a piece that is taken for a xi outside of it: along each direction of eta in turn,
-/// from the last to the first, the nearest.
+/// Clamps a xi outside a piece to the piece: along each direction of eta in turn, from the last to
+/// the first, the nearest point.
 HWY_INLINE void ClampTo(Shape shape, const Lanes (&lower)[3], const Lanes (&upper)[3],
   const Lanes (&xi)[3], Lanes (&x)[3])
 {
@@ -35,11 +35,11 @@ HWY_INLINE void ClampTo(Shape shape, const Lanes (&lower)[3], const Lanes (&uppe
                                     : narrow);
 }
 
-/// After a step as small as this, Newton's iteration has arrived up to rounding.
+/// Newton's iteration has converged, up to rounding, after a step at most this large.
 constexpr double kArrived = 1e-8;
 
-/// Whether N equations hold: up to rounding, and where a step would leave the element up to its
-/// uncertainty, because the neighbour's end is there no farther away.
+/// N equations hold up to rounding or, if a step would leave the element, up to the element's
+/// uncertainty, because the neighbour's boundary is within it.
 template <std::size_t N>
 struct Closeness
 {
@@ -57,7 +57,7 @@ struct Closeness
   LaneMask isNear;
 };
 
-/// Not finite where there is none.
+/// The inverse; not finite if there is none.
 HWY_INLINE void InverseOf(const Lanes (&m)[3][3], Lanes (&inverse)[9])
 {
   const auto minor = [&](int r0, int c0, int r1, int c1) PIXELEXACT_INLINED

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Norms max w_i |x_i|, for each ray its own.
+// Norms max w_i |x_i|, one for each ray.
 #if defined(PIXELEXACT_PIECE_NORMS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_PIECE_NORMS_INL_H
 #undef PIXELEXACT_PIECE_NORMS_INL_H
@@ -18,7 +18,7 @@ struct MaximumNorm
   Lanes w[3];
   Lanes inverse[3];
 
-  /// Of a matrix whose entries are not negative.
+  /// The norm of a matrix with non-negative entries.
   [[nodiscard]] HWY_INLINE Lanes Of(const Lanes (&K)[3][3]) const
   {
     Lanes largest = Splat(0.0);
@@ -32,7 +32,7 @@ struct MaximumNorm
   }
 };
 
-/// In which the rows of K have about the same sum; `plain` is K's norm with all factors 1.
+/// A norm in which the rows of K have about the same sum; `plain`: K's norm with all factors 1.
 HWY_INLINE MaximumNorm EvenNorm(const Lanes (&K)[3][3], Lanes& plain)
 {
   Lanes sum[3];
@@ -56,7 +56,7 @@ HWY_INLINE MaximumNorm EvenNorm(const Lanes (&K)[3][3], Lanes& plain)
   return norm;
 }
 
-/// How large K is in the better of two norms.
+/// The norm of K in the better of two norms.
 HWY_INLINE Lanes LeastNorm(const Lanes (&K)[3][3])
 {
   Lanes plain;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a ray and a piece are solved for, and when that has come to its end.
+// Selection of pairs of ray and piece for Newton's iteration, and its end conditions.
 #if defined(PIXELEXACT_PIECE_PROOF_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_PIECE_PROOF_INL_H
 #undef PIXELEXACT_PIECE_PROOF_INL_H
@@ -19,17 +19,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Up to it a step that is held back lets a residual fall to 3/4 at least.
+/// Largest kappa at which a clamped step reduces the residual to 3/4 or less.
 constexpr double kMaxKappa = 0.35;
-/// Up to it, in any norm, a piece has one root at most: where the first step stays in it, that is
-/// looked for by so many steps before the piece is halved.
+/// Largest norm with which a piece has at most one root. If the first step stays in the piece,
+/// kFewRounds steps search the root before the piece is subdivided.
 constexpr double kMaxUnique = 0.8;
 constexpr double kFewRounds = 6.0;
-/// Of a pair whose residuals prove nothing.
+/// Kappa of a pair whose residuals prove nothing.
 constexpr double kNoKappa = 2.0;
-/// More than rounding leaves.
+/// Factor that exceeds rounding.
 constexpr double kMore = 1.0 + 1e-9;
-/// Of places in xi, and of what they are found from: more than rounding leaves.
+/// Bound of the rounding of positions in xi, and of the numbers that they are computed from.
 constexpr double kSlack = 1e-14;
 
 /// Adds the rays of some lanes to a set.
@@ -47,7 +47,8 @@ HWY_INLINE void AddRays(std::uint64_t which, Lanes number, RaySet& rays)
   }
 }
 
-/// look.At(gathered, first, active) for packs of the rays; returns those for which it said so.
+/// Calls look.At(gathered, first, active) for packs of the rays. Returns the rays of the lanes that
+/// it returned.
 template <class PieceLook>
 HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, PieceLook& look)
 {
@@ -64,7 +65,7 @@ HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, PieceLook&
   return unclear;
 }
 
-/// Of pairs that a look has appended, tells the piece.
+/// Records the piece of the pairs that a look has appended.
 HWY_INLINE void ReportPiece(const CurvedPiece& piece, int before, PiecePairs& pairs)
 {
   if (pairs.count > before)
@@ -73,7 +74,7 @@ HWY_INLINE void ReportPiece(const CurvedPiece& piece, int before, PiecePairs& pa
   }
 }
 
-/// The same of a look that appends pairs.
+/// The same for a look that appends pairs.
 template <class PieceLook>
 HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const CurvedPiece& piece,
   PiecePairs& pairs, PieceLook& look)
@@ -88,8 +89,8 @@ HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const Curv
 class PairWriter
 {
 public:
-  /// With what pairs of two and three unknowns have alike. `contracts`: where kappa proves; else
-  /// so many rounds are left as a piece with one root at most is worth.
+  /// Writes the columns common to pairs of two and three unknowns. `contracts`: lanes where kappa
+  /// proves convergence; in the others, kFewRounds rounds remain.
   HWY_INLINE PairWriter(
     PiecePairs& pairs, std::uint64_t which, Lanes ray, Lanes kappa, LaneMask contracts)
     : Pairs(pairs)
@@ -122,12 +123,13 @@ template <std::size_t N>
 struct PairState
 {
   Lanes frozen[N]; ///< the step with the piece's matrix
-  Lanes off[N];    ///< of that: what g may be off by, seen through the matrix
+  Lanes off[N];    ///< the error of g, transformed by the matrix
   Lanes norm[N];
-  Lanes moved;      ///< the step, as large as the largest of its numbers
-  Lanes beyond;     ///< by how much it leaves the piece
-  LaneMask isNear;  ///< g is zero, up to rounding, at the element's end up to its uncertainty
-  LaneMask isThere; ///< and no step makes it smaller
+  Lanes moved;  ///< largest magnitude of the step's coordinates
+  Lanes beyond; ///< distance by which the step leaves the piece
+  /// g vanishes up to rounding or, at the element's boundary, up to the element's uncertainty.
+  LaneMask isNear;
+  LaneMask isThere; ///< the same, and no step reduces g
 };
 
 struct PairEnd
@@ -137,7 +139,7 @@ struct PairEnd
   Lanes rounds; ///< for the pair's column
   LaneMask arrived;
   LaneMask isHit;
-  LaneMask isFree; ///< goes on from where the step led, not from where it was held back
+  LaneMask isFree; ///< continues from the step's end, not from the clamped point
 };
 
 template <std::size_t N>
@@ -155,10 +157,10 @@ HWY_INLINE PairEnd EndOf(const PairState<N>& pair, Lanes kappa, Lanes last, Lane
   PairEnd end;
   end.arrived = And(pair.moved <= Splat(kArrived), pair.beyond <= Splat(kEdge));
   const Lanes residual = sizeOf(pair.frozen);
-  // After a step with the piece's matrix, every root of the piece is nearer than kappa times what
-  // it was before.
+  // After a step with the piece's matrix, the distance to every root of the piece is below kappa
+  // times the one before.
   const Lanes falls = (Splat(1.0) + kappa) * kappa / (Splat(1.0) - kappa);
-  // Both residuals are off by what g may be.
+  // Both residuals have the error of g.
   const LaneMask contracts = kappa < Splat(1.0);
   const LaneMask miss = And(contracts,
     And(zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * sizeOf(pair.off) < residual));
@@ -176,7 +178,7 @@ HWY_INLINE PairEnd EndOf(const PairState<N>& pair, Lanes kappa, Lanes last, Lane
   return end;
 }
 
-/// EndOf the pairs from i on; writes their columns and results.
+/// Evaluates EndOf for the pairs from i on; writes their columns and results.
 template <std::size_t N>
 HWY_INLINE PairEnd EndStep(const PairState<N>& pair, PiecePairs& pairs, int i, double* result)
 {

@@ -16,12 +16,12 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the map, in the element's units, and of f, in those of the field: what rounding leaves.
+/// Rounding of the map, in the element's units, and of f, in those of the field.
 constexpr double kRounding = 1e-14;
-/// So often a piece is looked at closer before it is halved.
+/// Count of closer looks at a piece before it is subdivided.
 constexpr int kCloser = 3;
 
-/// Fills the last pack up.
+/// Pads the last pack with the last point.
 void Pad(double* const xi[3], int count)
 {
   for (int d = 0; d < 3; ++d)
@@ -202,7 +202,8 @@ void PieceSolver::Solve()
       const auto ray = static_cast<int>(pairs.Column(kRayColumn)[i]);
       if (end == PairResult::Hit)
       {
-        // Written in place: what is put together elsewhere is read again before it has arrived.
+        // Written in place: a hit that is assembled elsewhere would be read back before its stores
+        // complete.
         CurvedHit& hit = Work.hits.emplace_back();
         hit.ray = ray;
         for (int d = 0; d < 3; ++d)
@@ -225,7 +226,7 @@ void PieceSolver::Solve()
 
 CurvedHit PieceSolver::HitAt(const CurvedPiece& piece, int ray, const Vec3& xi, int steps)
 {
-  // As a pair that no matrix of the piece holds back: what is left of it does not count.
+  // A pair without clamping by a piece's matrix; the other columns are not used.
   PiecePairs& pairs = Work.pairs;
   double* const position[3] = { Work.ends[0].data(), Work.ends[1].data(), Work.ends[2].data() };
   pairs.Clear();
@@ -263,7 +264,7 @@ CurvedHit PieceSolver::HitAt(const CurvedPiece& piece, int ray, const Vec3& xi, 
     }
     const Vec3 next(
       pairs.Column(kXiColumn)[0], pairs.Column(kXiColumn + 1)[0], pairs.Column(kXiColumn + 2)[0]);
-    // A singular matrix leaves it where it is.
+    // A singular matrix leaves the point unchanged.
     if (n < steps && std::isfinite(next.x) && std::isfinite(next.y) && std::isfinite(next.z))
     {
       hit.xi = next;

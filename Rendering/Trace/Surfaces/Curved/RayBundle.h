@@ -14,12 +14,12 @@
 
 namespace pixelexact
 {
-/// Neighbouring rays seen together: lines over one coordinate of space, along which all of them
-/// run. Boxes are tested against all at once, by what their places and slopes have in common.
+/// Neighbouring rays, processed together as lines over one coordinate of space, along which all of
+/// them run. Boxes are tested against all rays at once, by ranges of their places and slopes.
 ///
-/// Ray i is x_a(z) = place[a][i] + slope[a][i] (z - z0), z its coordinate x[axes[2]] and a one of
-/// the other two. Its depth is the distance from z0 along that coordinate, counted in the direction
-/// of the rays. All of it depends on the ray alone.
+/// Ray i is x_a(z) = place[a][i] + slope[a][i] (z - z0), where z is its coordinate x[axes[2]] and a
+/// one of the other two. Its depth is the distance from z0 along that coordinate, in the direction
+/// of the rays. All these numbers depend on the ray alone.
 class RayBundle
 {
 public:
@@ -27,20 +27,18 @@ public:
   static constexpr std::size_t kPadded = kMax + kLanePadding;
   using Numbers = std::array<double, kPadded>;
 
-  /// Of `count` rays from number `first` those that run one way (BundleKernels::ways, the bit's
-  /// number), about a box: z0 lies in its middle. No box is met by the others.
+  /// Takes, of `count` rays from number `first` on, those that run along `way` (bit number in
+  /// BundleKernels::ways). `about`: a box whose middle gives z0. The other rays meet no box.
   void Begin(const RayLanes& rays, int first, int count, int way, const Box3& about);
 
   [[nodiscard]] int Count() const { return Size; }
   [[nodiscard]] int First() const { return Offset; }
 
-  /// Whether a ray of them may meet the box; no ray that does (PieceKernels::meetBox) is passed
-  /// over.
+  /// A ray of the bundle may meet the box. True if PieceKernels::meetBox is for any ray.
   [[nodiscard]] bool MayMeet(const Box3& box) const
   {
-    // The same sums as for a ray alone, of numbers that are no larger, or no smaller: rounding is
-    // monotone, so that no box is left out that one of the rays would not leave out. What is no
-    // number leaves out nothing.
+    // The sums are those of a single ray, with numbers that are no larger, or no smaller. Rounding
+    // is monotone, so a box is excluded only if each ray alone excludes it. NaN excludes nothing.
     const double from = box.lower[axes[2]] - z0;
     const double to = box.upper[axes[2]] - z0;
     const bool isUp = sign > 0.0;
@@ -62,19 +60,19 @@ public:
     };
     return !isBeside(0) && !isBeside(1);
   }
-  /// No point of the box is nearer.
+  /// Lower bound of the depth of the box's points.
   [[nodiscard]] double DepthOf(const Box3& box) const
   {
     return (sign > 0.0 ? box.lower[axes[2]] - z0 : z0 - box.upper[axes[2]]) - Ranges.mostSlack;
   }
-  /// The same of one ray, by its own rounding: whatever rays are beside it.
+  /// The same for one ray, with its own rounding, independent of other rays.
   [[nodiscard]] double DepthOf(const Box3& box, int i) const
   {
     return (sign > 0.0 ? box.lower[axes[2]] - z0 : z0 - box.upper[axes[2]]) -
       slack[static_cast<std::size_t>(i)];
   }
 
-  /// The same of up to eight boxes: a bit each, and their depths.
+  /// MayMeet for up to eight boxes, a bit each, and their depths.
   [[nodiscard]] unsigned MayMeet(
     const EightBoxes& boxes, std::array<double, EightBoxes::kMax>& depth) const
   {
@@ -91,21 +89,21 @@ public:
     const auto at = static_cast<std::size_t>(i);
     return ((x[axes[2]] - z0) - Origin[at]) / Direction[at];
   }
-  /// The t of a depth.
+  /// The t at a depth.
   [[nodiscard]] double TimeOf(int i, double depth) const
   {
     const auto at = static_cast<std::size_t>(i);
     return (sign * depth - Origin[at]) / Direction[at];
   }
-  /// The ray is of no interest beyond a depth.
+  /// Ends the ray at a depth.
   void EndAt(int i, double depth)
   {
     const auto at = static_cast<std::size_t>(i);
     far[at] = std::min(far[at], depth + slack[at]);
   }
-  /// How far off places may be, by rounding, of the rays of which least is known.
+  /// Largest error of places, by rounding, over all rays.
   [[nodiscard]] double MostSlack() const { return Ranges.mostSlack; }
-  /// Beyond it no ray is of interest. What has ended since FindFarthest does not count.
+  /// Largest depth of all rays, as of the last FindFarthest.
   [[nodiscard]] double Farthest() const { return Ranges.mostFar; }
   void FindFarthest();
 
@@ -114,9 +112,9 @@ public:
   double sign = 1.0; ///< of the directions along axes[2]
   std::array<Numbers, 2> place{};
   std::array<Numbers, 2> slope{};
-  Numbers slack{}; ///< how far off places may be, by rounding
-  Numbers near{};  ///< of interest from this depth, rounding included
-  Numbers far{};   ///< to this one
+  Numbers slack{}; ///< largest error of places, by rounding
+  Numbers near{};  ///< the ray begins at this depth, including rounding
+  Numbers far{};   ///< the ray ends at this depth
 
 private:
   int Size = 0;
@@ -126,7 +124,7 @@ private:
   Numbers Direction{}; ///< along axes[2]
 };
 
-/// Some of a bundle's rays: a bit each.
+/// A subset of a bundle's rays, a bit each.
 struct RaySet
 {
   static constexpr std::size_t kWords = RayBundle::kMax / 64;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// f along a ray, seen through a piece's map: a quadratic of one variable.
+// f along a ray, through a piece's map, as a quadratic of one variable.
 #if defined(PIXELEXACT_RAY_QUADRATIC_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_RAY_QUADRATIC_INL_H
 #undef PIXELEXACT_RAY_QUADRATIC_INL_H
@@ -12,16 +12,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// The sine, in xi, of the angle between the planes whose line the ray is, from which on that line
-/// is known to some 1e-12.
+/// Least sine, in xi, of the angle between the two planes whose intersection is the ray. Above it,
+/// the line is known to some 1e-12.
 constexpr double kMinSine = 1e-4;
-/// Of numbers that such a line is made with: more than rounding leaves.
+/// Bound of the rounding of numbers that the line is computed from.
 constexpr double kLineRounding = 1e-11;
-/// A root's slope is at least this, of f's, so that its place is known to some 1e-12: where the
-/// other root of a ray is not found, the piece is halved, and this one is found again at the same
-/// place.
+/// Least slope of a root, relative to f's slope, so that the root's place is known to some 1e-12.
+/// If the ray's other root is not found, the piece is subdivided, and this root is found a second
+/// time at the same place.
 constexpr double kMinSlope = 1e-3;
-/// Of a slope what may be unknown where it proves that there is one root at most.
+/// Largest error of a slope, relative to the slope, that still proves at most one root.
 constexpr double kMaxOfSlope = 0.8;
 
 /// A symmetric matrix: the diagonal, then 01, 12, 20.
@@ -58,8 +58,8 @@ HWY_INLINE void Cross(const Lanes (&a)[3], const Lanes (&b)[3], Lanes (&to)[3])
   to[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/// What is known at a point, in the element's units: across the ray g_a = y_a - s_a y_k - q_a, and
-/// f; their slopes, second derivatives, and how far these may be off.
+/// The equations at a point, in the element's units: across the ray g_a = y_a - s_a y_k - q_a, and
+/// f; their slopes and second derivatives, and the errors of these.
 struct RayPoint
 {
   Lanes g[3];
@@ -69,22 +69,22 @@ struct RayPoint
   Lanes rest[3][3];
 };
 
-/// The part of a ray on which roots may lie, and whether there is one at most.
+/// The part of a ray on which roots may lie, and whether it has at most one root.
 struct RayStretch
 {
   Lanes from;
   Lanes to;
-  Lanes root; ///< where it is expected
+  Lanes root; ///< expected place of the root
   LaneMask isThere;
   LaneMask isUnique;
 };
 
-/// Of a ray, by xi from the point: off = u e + c, up to `spread`, and f = A + B u + K/2 u^2, up to
-/// `error`, for roots within a box. u is e . off.
+/// A ray in xi, relative to the point: off = u e + c, with an error of at most `spread`, and f = A
+/// + B u + K/2 u^2, with an error of at most `error`, for roots inside a box. u is e . off.
 ///
-/// Across the ray off obeys two equations of which the linear parts, by the inverse of their matrix
-/// and e, give u e and what is constant; what is quadratic in them moves to f: its coefficients,
-/// times f's slopes across, are taken from those of f.
+/// `off` obeys two equations across the ray. Their linear parts, with the inverse of their matrix
+/// and e, give u e and the constant part. Their quadratic parts are moved to f: the coefficients,
+/// times f's slopes across, are subtracted from those of f.
 class RayQuadratic
 {
 public:
@@ -122,8 +122,8 @@ public:
     {
       L.m[n] = at.curve[2].m[n] - lambda[0] * at.curve[0].m[n] - lambda[1] * at.curve[1].m[n];
     }
-    // Where the ray is to second order at the box's middle, how far from there in the box, and how
-    // it turns on the way between two roots.
+    // The ray to second order at the box's middle, its deviation in the box, and its turn between
+    // two roots.
     Lanes c[3];
     Lanes turns[3];
     ForEachAxis(
@@ -165,7 +165,7 @@ public:
     A = at.g[2] + Dot(slope, c) + Splat(0.5) * Dot(centre, Lc);
     B = Dot(slope, e) + Dot(centre, Le);
     K = Dot(e, Le);
-    // u: the box's part of the line.
+    // The box's part of the line, in u.
     from = Splat(-4.0);
     to = Splat(4.0);
     ForEachAxis(
@@ -200,7 +200,8 @@ public:
     error = (Dot(most, spread) + Splat(0.5) * Dot(curved, spread) + Dot(rest, largest) + known) *
         Splat(kMore) +
       Splat(kLineRounding) * (Abs(at.g[2]) + DotAbs(slope, around) + Dot(most, around));
-    // Two roots are e and turned apart, times a number: what turns the ray, in turn turns it.
+    // The difference of two roots is a multiple of e plus `turned`. The turn of the ray itself
+    // contributes to `turned`.
     const Lanes again = Max(Dot(slopes[0], turns) / along[0], Dot(slopes[1], turns) / along[1]);
     isValid = And(isValid, again <= Splat(0.9));
     const Lanes more = Splat(kMore) / (Splat(1.0) - again);
@@ -218,11 +219,11 @@ public:
     isValid = And(isValid, IsFinite(A + B + K + error + slopeError));
   }
 
-  /// Before and behind the vertex of the parabola.
+  /// The stretches before and after the vertex of the parabola.
   HWY_INLINE void Split(RayStretch& before, RayStretch& behind) const
   {
     const Lanes zero = Splat(0.0);
-    // So that it opens upwards.
+    // Mirrored so that the parabola opens upwards.
     const LaneMask isDown = K < zero;
     const Lanes a = Select(isDown, zero - A, A);
     const Lanes b = Select(isDown, zero - B, B);
@@ -235,7 +236,7 @@ public:
     const LaneMask may = And(from <= to, isAbove);
     before.isThere = And(may, And(from < vertex, less <= at(from)));
     behind.isThere = And(may, And(vertex < to, less <= at(to)));
-    // Where it is `level`, on both sides.
+    // The points where the parabola has the value `level`, on both sides.
     const auto crossings = [&](Lanes level, Lanes& lower, Lanes& upper) PIXELEXACT_INLINED
     {
       const Lanes c = a - level;
@@ -266,7 +267,7 @@ public:
     behind.isUnique = isSteep(b + k * behind.from);
   }
 
-  /// Leaves of a box what is on a stretch; returns where nothing is left.
+  /// Restricts a box to a stretch. Returns the lanes where nothing remains.
   HWY_INLINE LaneMask Keep(const RayStretch& stretch, RootBox& box) const
   {
     LaneMask empty = stretch.to < stretch.from;

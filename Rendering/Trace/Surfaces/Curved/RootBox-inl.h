@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where in a piece rays may have roots.
+// Boxes in a piece that contain the roots of rays.
 #if defined(PIXELEXACT_ROOT_BOX_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_ROOT_BOX_INL_H
 #undef PIXELEXACT_ROOT_BOX_INL_H
@@ -14,16 +14,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Where in a piece the roots of rays may lie: xi from its centre, along each direction between two
-/// numbers.
+/// A box of xi, relative to a piece's centre, that contains the roots of rays.
 struct RootBox
 {
   Lanes lower[3];
   Lanes upper[3];
 };
 
-/// Leaves of a box what is in the piece, where directions collapse: there their ends move with the
-/// xi after them. Returns for which nothing is left.
+/// Restricts a box to the piece, in directions that collapse: there the ends depend on the xi after
+/// them. Returns the lanes where nothing remains.
 HWY_INLINE LaneMask KeepToPiece(Shape shape, const CurvedPiece& piece, RootBox& box)
 {
   const Lanes half = Splat(0.5);
