@@ -7,24 +7,24 @@
 #include <tuple>
 
 // The properties of each buffer, for code that visits all of them: allocation, tiles, progressive
-// frames, images for VTK, the tool. TileHits::WriteSheet writes them.
+// frames, images for VTK, the tool. TileHits::WriteSheet writes the buffers.
 namespace pixelexact
 {
 template <class T>
 struct BufferRow
 {
   Buffer buffer;
-  const char* name; ///< of the point array in images
+  const char* name; ///< of the point array in VTK images
   std::vector<T> SampleBuffers::*member;
-  T nothing;  ///< where nothing is seen
-  bool usual; ///< among what is written to a file unasked
+  T nothing;  ///< value of samples that show nothing
+  bool usual; ///< written to files by default
 };
 template <class T>
 BufferRow(Buffer, const char*, std::vector<T> SampleBuffers::*, T, bool) -> BufferRow<T>;
 
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// In the order of an image's arrays.
+/// In the order of the arrays of VTK images.
 inline constexpr std::tuple kBufferTable{
   BufferRow{ Buffer::Value, "Value", &SampleBuffers::value, kNotANumber, true },
   BufferRow{ Buffer::Position, "Position", &SampleBuffers::position, Vec3(kNotANumber), true },
@@ -45,14 +45,14 @@ inline constexpr std::tuple kBufferTable{
   BufferRow{ Buffer::Jump, "Jump", &SampleBuffers::jump, kNotANumber, false },
 };
 
-/// visit(row) for each row of the table.
+/// Calls visit(row) for each row of the table.
 template <class Visit>
 constexpr void ForEachBuffer(const Visit& visit)
 {
   std::apply([&](const auto&... row) { (visit(row), ...); }, kBufferTable);
 }
 
-/// What is written to a file unasked.
+/// The buffers that are written to files by default.
 constexpr Buffer UsualBuffers()
 {
   Buffer usual = Buffer::None;

@@ -15,7 +15,7 @@ struct Ray
   Vec3 direction;
 };
 
-/// A camera as VTK's users know it (vtkCamera's meaning of every member).
+/// A camera; all members have the meaning of vtkCamera's.
 struct CameraView
 {
   Vec3 position{ 0.0, 0.0, 1.0 };
@@ -30,8 +30,8 @@ struct CameraView
   bool operator==(const CameraView&) const = default; // false where a number is NaN
 };
 
-/// Origin and direction of rays, linear in the normalised device coordinates (u, v) in [-1,1]^2;
-/// the direction is not of unit length.
+/// Origin and direction of rays, linear in the normalised device coordinates (u, v) in [-1,1]^2.
+/// The direction is not normalised.
 struct CameraRays
 {
   struct Linear
@@ -49,14 +49,14 @@ struct CameraRays
 class Camera
 {
 public:
-  /// Depends on the view alone, not on a clipping range, so that every user of the same view gets
-  /// the same rays, bit for bit. Throws Error when position and focal point coincide, view-up is
-  /// parallel to the view direction, an angle or scale is out of range, or a number is not finite.
+  /// Depends on the view alone, not on a clipping range, so that equal views have equal rays, bit
+  /// for bit. Throws Error if position and focal point coincide, view-up is parallel to the view
+  /// direction, an angle or scale is out of range, or a number is not finite.
   Camera(const CameraView& view, int width, int height);
 
   /// From the inverse of a composite projection matrix (row-major, normalised device coordinates
-  /// z in [-1,1] to world), for cameras that no CameraView describes: sheared, oblique, or with
-  /// explicit matrices. Throws Error when the matrix describes no camera.
+  /// with z in [-1,1] to world), for cameras that no CameraView describes: sheared, oblique, or
+  /// with explicit matrices. Throws Error if the matrix describes no camera.
   Camera(const std::array<double, 16>& inverseProjection, int width, int height);
 
   /// The ray through image position (px, py), in pixels.
@@ -64,7 +64,7 @@ public:
 
   [[nodiscard]] int Width() const { return ImageWidth; }
   [[nodiscard]] int Height() const { return ImageHeight; }
-  /// The direction of view (of the image's centre), unit length.
+  /// The direction of view at the image's centre, unit length.
   [[nodiscard]] Vec3 ViewDirection() const;
 
   /// Normalised device coordinates of an image position.

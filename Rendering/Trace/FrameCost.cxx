@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::array kSteps{ 1, ProgressiveFrame::kFiner, ProgressiveFrame::kCoarsest };
 
-/// Whether nothing was traced yet.
+/// Nothing has been traced yet.
 bool IsFresh(const ProgressiveFrame& passes)
 {
   return passes.Step() == 0 && passes.PartDone() == 0.0;
@@ -50,7 +50,7 @@ void TraceUntil(ProgressiveFrame& passes, FrameCost& cost, Deadline end, const P
     }
     goesOn = done && !aborted && std::chrono::steady_clock::now() < end;
   }
-  // A picture with holes is none.
+  // A picture must not have missing tiles.
   passes.Fill();
 }
 } // namespace

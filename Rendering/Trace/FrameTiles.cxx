@@ -22,7 +22,7 @@ int TilesAlong(int samples, int side = kTileSize)
   return (samples + side - 1) / side;
 }
 
-/// Whether a scene, which may be null, has to be traced by the calling thread.
+/// The calling thread must trace the scene, which may be null.
 bool NeedsCallingThread(const Scene* scene)
 {
   return scene != nullptr &&
@@ -30,8 +30,8 @@ bool NeedsCallingThread(const Scene* scene)
       scene->layers, [](const Layer& layer) { return layer.surface->NeedsCallingThread(); });
 }
 
-/// work(area, counters) for each tile of columns x rows samples, in parallel where the scene, which
-/// may be null, allows it.
+/// Calls work(area, counters) for each tile of columns x rows samples, in parallel if the scene
+/// allows it. The scene may be null.
 template <class Work>
 FrameCounters ForEachTile(const Scene* scene, int columns, int rows, StageTimes* stages,
   const Work& work, int side = kTileSize)
@@ -72,14 +72,14 @@ FrameCounters ForEachTile(const Scene* scene, int columns, int rows, StageTimes*
   return total;
 }
 
-/// Samples of a lattice along one side of an image.
+/// Count of a lattice's samples along one side of an image.
 int SamplesAlong(int first, int step, int size)
 {
   return first < size ? (size - first + step - 1) / step : 0;
 }
 
-/// Samples along a tile's side. Rays that are far apart have few elements in common: then a large
-/// tile asks many elements for few points each.
+/// Samples along a tile's side. Rays that are far apart share few elements, so a large tile would
+/// evaluate many elements at few points each.
 int SideOf(const SampleLattice& lattice)
 {
   return lattice.step > 1 ? TileSamples::kRow : kTileSize;
@@ -139,7 +139,7 @@ int TilesOf(const SampleLattice& lattice, int width, int height)
 
 namespace
 {
-/// What the frame keeps of a tile's samples.
+/// Copies a tile's samples to the frame, in the buffers that the frame has.
 void KeepRows(const SampleBuffers& own, const TileArea& area, SampleBuffers& frame)
 {
   ForEachBuffer(
@@ -159,7 +159,8 @@ void KeepRows(const SampleBuffers& own, const TileArea& area, SampleBuffers& fra
     });
 }
 
-/// Samples that stay with the tile until it has been visited: far smaller than the frame's.
+/// Traces samples into arrays that last until the tile has been visited, and that are far smaller
+/// than the frame's.
 void TraceAlone(const Scene& scene, const Camera& camera, const TileArea& area,
   const SampleLattice& lattice, Sheets& sheets, const LatticeWork& work, FrameCounters& counters)
 {
@@ -244,7 +245,7 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame)
   const std::size_t bytes = 4 * frame.centres.Size();
   const auto clear = [](std::vector<std::uint8_t>& color, std::size_t size)
   {
-    // Not assign(), of which g++ 14 believes that it may run over.
+    // Avoids assign(), for which g++ 14 reports a false overflow.
     color.clear();
     color.resize(size);
   };
@@ -253,14 +254,14 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame)
   {
     clear(sheet.color, bytes);
   }
-  // Else the nearest samples' colours are the image.
+  // Without an image of its own, the frame shows the nearest samples' colours.
   const bool hasImage = !frame.centres.behind.empty() || !pipeline.modules.empty();
   clear(frame.color, hasImage ? bytes : 0);
 }
 
 namespace
 {
-/// One run of modules over all tiles, of `done` those that are not; until `reporter` has no time.
+/// One run of modules over all tiles that are not in `done`, until `reporter` has no time.
 FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
   std::span<FrameModule* const> modules, bool makesImage, Frame& frame, StageTimes* stages,
   Reporter* reporter, TilesDone* done = nullptr)
@@ -293,7 +294,7 @@ FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipelin
     });
 }
 
-/// The runs from one on.
+/// All runs from number `first` on.
 FrameCounters RunFrom(std::size_t first, const Scene* scene, const Camera* camera,
   const Pipeline& pipeline, Frame& frame, StageTimes* stages, Reporter* reporter)
 {

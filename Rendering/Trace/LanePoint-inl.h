@@ -51,7 +51,7 @@ HWY_INLINE LanePoint Normalized(const LanePoint& x)
   return x * (Splat(1.0) / Sqrt(Dot(x, x)));
 }
 
-/// A point that depends on u and v, its constants loaded once.
+/// A point that is linear in u and v, with its constants in lanes.
 struct LinearLanes
 {
   LanePoint constant;

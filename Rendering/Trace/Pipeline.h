@@ -10,22 +10,22 @@ namespace pixelexact
 {
 class TileVisit;
 
-/// Gives samples their colours: colour map, lights, pictures of soundness.
+/// Colours samples: colour map, lights, diagnostic pictures.
 class SampleColors
 {
 public:
   virtual ~SampleColors() = default;
 
-  /// The buffers that it reads.
+  /// The buffers that Paint reads.
   [[nodiscard]] virtual Buffer Needs() const = 0;
 
-  /// Colours samples [begin, end) of one sheet: writes 4 bytes each of samples.color, which those
-  /// before it have written, and nothing else. Called from several threads at once; what a sample
-  /// gets depends on that sample alone.
+  /// Colours samples [begin, end) of one sheet: writes 4 bytes per sample to samples.color, which
+  /// earlier SampleColors have written, and nothing else. Called from several threads at once. A
+  /// sample's colour depends on that sample alone.
   virtual void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const = 0;
 };
 
-/// Which of a frame's tiles one process of several traces: every `of`-th.
+/// The tiles of a frame that one of several processes traces: every `of`-th, from number `turn` on.
 struct TileTurn
 {
   int turn = 0;
@@ -34,20 +34,20 @@ struct TileTurn
   [[nodiscard]] bool Has(int tile) const { return tile % of == turn; }
 };
 
-/// The samples and buffers that something after the rays needs.
+/// The samples and buffers that a stage after the rays reads.
 struct SampleNeeds
 {
   Buffer centres = Buffer::None;
-  /// Of centres: it is faster where they are there. New tiles have them for TileVisit::Centres,
-  /// frames need not keep them.
+  /// Buffers of centres that make the stage faster. TileVisit::Centres has them for newly traced
+  /// tiles; frames need not keep them.
   Buffer welcome = Buffer::None;
   Buffer corners = Buffer::None; ///< of the tile's pixels
   Buffer edges = Buffer::None;   ///< between the corners, see edgeLevel
   int edgeLevel = 0;             ///< an edge is cut into 2^edgeLevel parts; 0: no samples on edges
-  bool coloredCorners = false;   ///< with all that the pipeline's colours read
-  bool wholeFrame = false; ///< tiles are visited when the modules before it have seen them all
+  bool coloredCorners = false;   ///< with all buffers that the pipeline's colours read
+  bool wholeFrame = false; ///< tiles are visited after the preceding modules have visited all tiles
 
-  TileTurn tiles{}; ///< of centres, in a call of Trace; the other tiles come back as Nothing
+  TileTurn tiles{}; ///< of centres, in a call of Trace; the other tiles become Nothing
 
   void Add(const SampleNeeds& other);
   [[nodiscard]] bool BeyondCentres() const
@@ -56,40 +56,41 @@ struct SampleNeeds
   }
 };
 
-/// Whatever works on the image after rays and colours (paper, section 5.1): anti-aliasing,
-/// contours. It says what it needs; the tracer casts the union of all needs, once, in one visit of
-/// a tile.
+/// A stage that changes the image after rays and colours (paper, section 5.1), as anti-aliasing and
+/// contours do. It declares its needs. The tracer casts the union of all needs once, in one visit
+/// of each tile.
 class FrameModule
 {
 public:
   virtual ~FrameModule() = default;
   [[nodiscard]] virtual SampleNeeds Needs() const = 0;
 
-  /// Before a frame: makes buffers of its own for so many pixels.
+  /// Called before a frame: allocates the module's own buffers for width x height pixels.
   virtual void Begin(int width, int height) = 0;
 
-  /// Once for each tile of pixels, while its samples are in cache. Called from several threads at
-  /// once; writes entries of the tile's pixels alone. What a pixel gets does not depend on tiles.
+  /// Called once for each tile of pixels, while its samples are in cache, from several threads at
+  /// once. Writes only entries of the tile's pixels. A pixel's result does not depend on tiles.
   virtual void Process(TileVisit& tile) = 0;
 
-  /// What it does with each tile once more, when it has seen them all and before modules that wait
-  /// for that (SampleNeeds::wholeFrame), and what that does once more; their needs and Begin are
-  /// those of this one. Null: nothing.
+  /// A second pass over all tiles, after the module has visited all of them and before modules with
+  /// SampleNeeds::wholeFrame. It may return a further pass. Its needs and Begin are those of this
+  /// module. Null: there is no second pass.
   [[nodiscard]] virtual FrameModule* Rest() { return nullptr; }
 };
 
-/// What happens to a tile when its samples are known: colours, in this order; the sheets become one
-/// image; modules, in this order. What is pointed to must outlive it.
+/// Stages that process a tile with complete samples: colours in this order, blending of sheets,
+/// modules in this order. The objects must outlive the pipeline.
 struct Pipeline
 {
   std::vector<const SampleColors*> colors;
   std::vector<FrameModule*> modules;
 
-  /// What the colours read.
+  /// The union of the buffers that the colours read.
   [[nodiscard]] Buffer ColorNeeds() const;
   /// The union of all needs.
   [[nodiscard]] SampleNeeds Needs() const;
-  /// The modules that visit all tiles together, one after the other in each; one run at least.
+  /// The runs of modules: those of a run process each tile one after the other, and each run visits
+  /// all tiles. There is at least one run.
   [[nodiscard]] std::vector<std::vector<FrameModule*>> Runs() const;
 };
 } // namespace pixelexact

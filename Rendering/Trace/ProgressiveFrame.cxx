@@ -14,7 +14,7 @@ SampleLattice LatticeOf(int step)
   return { .step = step, .packed = step > 1 };
 }
 
-/// Adds the seconds of its life.
+/// Adds the seconds of its lifetime.
 class Clock
 {
 public:
@@ -115,7 +115,7 @@ bool ProgressiveFrame::AtOnce(const Progress& progress)
   frame_.counters.seconds = Spent;
   if (aborted)
   {
-    // Those of some tiles.
+    // Corners of some tiles are discarded.
     frame_.corners = {};
     frame_.color.clear();
     frame_.centres.color.clear();
@@ -149,7 +149,7 @@ bool ProgressiveFrame::Pass(const Progress& progress, Deadline end)
   {
     return false;
   }
-  // Tiles that were left out have been counted as such.
+  // Omitted tiles have been counted as Nothing.
   Counted.nothing =
     static_cast<std::int64_t>(frame.centres.Size()) - Counted.exact - Counted.unknown;
   frame.counters = Counted;
@@ -270,7 +270,7 @@ double ProgressiveFrame::PartDone() const
 Frame ProgressiveFrame::Preview() const
 {
   Frame frame = Known > 1 ? Coarse : frame_;
-  // That which modules have made so far is of some tiles.
+  // Modules have changed only some tiles so far.
   frame.color.clear();
   Repaint({ .colors = pipeline_.colors, .modules = {} }, frame);
   return frame;

@@ -10,66 +10,64 @@
 
 namespace pixelexact
 {
-/// A frame that can be looked at before it is done: small frames of pixels far apart first, then
-/// all pixels, at last what the pipeline's modules make of them. Any of these passes may be ended,
-/// by progress functions or a deadline, and goes on tile by tile where it was. The complete frame
-/// is that of Trace, bit for bit, but for its counters' seconds, which are the sum of the passes'.
+/// A frame that can be shown before it is complete. Passes trace coarse frames, then all pixels,
+/// and then run the pipeline's modules. Progress functions or a deadline may end any pass; it
+/// resumes at the first missing tile. The complete frame equals that of Trace, bit for bit, except
+/// its counters' seconds, which sum up the passes.
 ///
-/// A pass traces the pixels again that are known: it has rays closer together for that, and what
-/// elements cost is shared by all that meet them.
+/// A pass also traces pixels that earlier passes traced. Its rays are closer together, and the cost
+/// per element is shared by all rays that meet it.
 class ProgressiveFrame
 {
 public:
-  /// Pixels between the samples of the first pass; each pass divides it by kFiner.
+  /// Distance, in pixels, of the first pass's samples; each pass divides it by kFiner.
   static constexpr int kCoarsest = 16;
   static constexpr int kFiner = 4;
 
-  /// Makes the pipeline's buffers of centres and those of `extra`; the complete frame has
-  /// `corners`, too (KeepCorners); it is made in the memory of `spare`, which nobody needs any
-  /// more. Throws Error for a scene that cannot be traced. What scene and pipeline refer to must
-  /// outlive this.
+  /// The frame's centres get the pipeline's buffers and those of `extra`. The complete frame also
+  /// keeps `corners` (KeepCorners). It reuses the memory of `spare`. Throws Error for a scene that
+  /// cannot be traced. The objects of scene and pipeline must outlive this object.
   ProgressiveFrame(Scene scene, const Camera& camera, Pipeline pipeline,
     Buffer extra = Buffer::None, Buffer corners = Buffer::None, Frame spare = {});
 
-  /// The next pass is that of pixels `step` apart: 1, kFiner or kCoarsest, less than Step() where
-  /// that is not 0.
+  /// Sets the next pass to pixels `step` apart: 1, kFiner or kCoarsest, and less than Step() unless
+  /// that is 0.
   void GoTo(int step);
-  /// The next pass, or what is left of it. False where `progress` or the time ended it. At least a
-  /// tile is made.
+  /// Runs or resumes the next pass. Returns false if `progress` or the deadline ended it. Completes
+  /// at least one tile.
   bool Refine(const Progress& progress = {}, Deadline end = kNoDeadline);
-  /// All that is left, in one pass if there was none yet; what such a one has made is lost where
-  /// `progress` ends it. False as Refine.
+  /// Runs all remaining passes; before the first pass, all pixels are traced at once, and nothing
+  /// is kept if `progress` ends it. Returns false as Refine does.
   bool Complete(const Progress& progress = {});
-  /// Where no pass is done yet: the coarsest, beside the one that was begun.
+  /// If no pass is complete, runs the coarsest one, and keeps the pass in progress.
   void Fill();
 
-  /// From now on in other colours; their buffers of centres must be among those that are made.
+  /// Changes the colours of later passes. Their buffers of centres must be among the frame's.
   void Recolor(Pipeline pipeline, Buffer corners = Buffer::None);
 
-  /// Of the complete frame.
+  /// Count of the complete frame's pixels.
   [[nodiscard]] double Pixels() const
   {
     return static_cast<double>(camera_.Width()) * static_cast<double>(camera_.Height());
   }
-  /// Pixels between the samples that are known; 0: none are, 1: all are.
+  /// Distance of the known samples in pixels; 0: none are known, 1: all are.
   [[nodiscard]] int Step() const { return Known; }
-  /// Those of the next pass; the same as Step() where all are known.
+  /// Distance of the next pass's samples; equal to Step() if all are known.
   [[nodiscard]] int NextStep() const { return Next; }
-  /// The part of the next pass that is done.
+  /// The completed part of the next pass, 0 to 1.
   [[nodiscard]] double PartDone() const;
   [[nodiscard]] bool IsComplete() const { return Left == Stage::Nothing; }
-  /// That all passes took.
+  /// Sum of the time of all passes.
   [[nodiscard]] double Seconds() const { return Spent; }
 
-  /// The frame, without colours before all pixels are known. Before that those of some tiles may be
-  /// there.
+  /// The frame. It has no colours before all pixels are known; then some tiles may have theirs.
   [[nodiscard]] const Frame& Get() const { return frame_; }
-  /// Takes the frame away.
+  /// Moves the frame out of the object.
   [[nodiscard]] Frame Take() { return std::move(frame_); }
 
-  /// What is known, in colours, without the pipeline's modules: a frame of every Step()-th pixel of
-  /// every Step()-th row, from the lower left one on. Where no pass is done, Get() with the colours
-  /// of what is there.
+  /// The known samples in colours, without the pipeline's modules: a frame of every Step()-th pixel
+  /// of every Step()-th row, from the lower left. If no pass is complete, Get() with the colours of
+  /// the known tiles.
   [[nodiscard]] Frame Preview() const;
 
 private:
@@ -93,16 +91,16 @@ private:
   Camera camera_;
   Pipeline pipeline_;
   SampleNeeds Needs;
-  Buffer Corners; ///< that the frame keeps
-  Frame Spare;    ///< for the frame of all pixels
+  Buffer Corners; ///< buffers of corners that the frame keeps
+  Frame Spare;    ///< memory for the frame of all pixels
   Frame frame_;
-  Frame Coarse;                ///< of Known, where that is more than 1
-  Frame Pending;               ///< of a coarse pass that was begun
-  Stage Left = Stage::Centres; ///< the first thing that is not done
+  Frame Coarse;                ///< frame of step Known, if that is more than 1
+  Frame Pending;               ///< frame of a coarse pass in progress
+  Stage Left = Stage::Centres; ///< the first incomplete stage
   int Known = 0;
   int Next = kCoarsest;
   std::size_t Run = 0;   ///< of modules
-  TilesDone Done;        ///< of the pass or run that was begun; empty: none was
+  TilesDone Done;        ///< of the pass or run in progress; empty: there is none
   FrameCounters Counted; ///< of that pass, and of corners and modules
   double Spent = 0.0;
 };

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// The arrays of three coordinates, by value: stores cannot change them.
+/// The arrays of three coordinates, by value, so that stores do not alias them.
 struct PointTarget
 {
   double* x[3];
@@ -47,7 +47,7 @@ void CastRays(const CameraRays& camera, const double* u, const double* v, int co
   }
 }
 
-/// Of t, to be well beyond rounding.
+/// Relative to t; covers rounding amply.
 constexpr double kClipMargin = 1e-12;
 
 void ClipToBox(const Box3& box, const double* const origin[3], const double* const direction[3],
@@ -58,8 +58,8 @@ void ClipToBox(const Box3& box, const double* const origin[3], const double* con
   const LanePoint upper = SplatPoint(box.upper);
   const LanePoints origins{ { origin[0], origin[1], origin[2] }, count };
   const LanePoints directions{ { direction[0], direction[1], direction[2] }, count };
-  // These quotients are off by less than 4 roundings; but a surface in doubles may put its point
-  // some roundings of the ray's origin from where t says, which from afar is more.
+  // These quotients are off by less than 4 roundings. But a surface in doubles may place its point
+  // some roundings of the ray's origin away from t, which is more if the origin is far away.
   const Lanes less = Splat(1.0 - kClipMargin);
   const Lanes more = Splat(1.0 + kClipMargin);
   for (int i = 0; i < count; i += LaneCount())
@@ -77,7 +77,7 @@ void ClipToBox(const Box3& box, const double* const origin[3], const double* con
         const LaneMask rises = a < b;
         const Lanes enters = Select(rises, a, b);
         const Lanes leaves = Select(rises, b, a);
-        // A ray within a face has no number here, and is not clipped by it.
+        // A ray inside a face's plane gives NaN, and that plane does not clip it.
         const Lanes widerFirst = Select(enters < Splat(0.0), enters, enters * less);
         const Lanes widerLast = Select(leaves < Splat(0.0), leaves * less, leaves * more);
         first = Select(first < widerFirst, widerFirst, first);
@@ -103,11 +103,11 @@ void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, con
     const auto from = LoadPoint<Lanes>(origins, i);
     const auto to = LoadPoint<Lanes>(directions, i);
     const Lanes t = Dot(across, through - from) / Dot(across, to);
-    // A slope of zero makes t infinite or NaN: no hit either way, for
-    // the interval ends at a finite t.
+    // A slope of zero makes t infinite or NaN. Neither is a hit, because the interval ends at a
+    // finite t.
     const LaneMask hit = And(Traits::Load(rays.tNear + i) <= t, t <= Traits::Load(rays.tFar + i));
     const LanePoint x = from + to * t;
-    // From a far origin the rounding of t moves x off the plane; put it back along the normal.
+    // With a far origin, the rounding of t moves x off the plane; x is moved back along the normal.
     const Lanes height = Dot(across, x - through);
     Store(Select(hit, t, Splat(kNoHit)), toT + i);
     position.Put(x - across * height, i);

@@ -10,21 +10,21 @@
 
 namespace pixelexact
 {
-/// The least t of a hit: a ray begins beyond its origin.
+/// The least t of a hit: rays exclude their origin.
 inline constexpr double kNearest = std::numeric_limits<double>::denorm_min();
-/// The largest: no ray meets anything at infinity.
+/// The largest t of a hit: rays meet nothing at infinity.
 inline constexpr double kFarthest = std::numeric_limits<double>::max();
 
-/// The work of one ray: 50 ms of one core where nothing is kept, less where pieces are.
+/// The work limit of one ray: 50 ms of one core without kept pieces, less with them.
 inline constexpr std::int64_t kRayWork = 12'000'000;
-/// The least work of a ray in a picture, and what all rays of a picture may spend together as long
-/// as each has this least.
+/// The least work limit of a ray in a picture, and the work that the rays of a picture share unless
+/// each gets only that least limit.
 inline constexpr std::int64_t kMinRayWork = 400'000;
 inline constexpr std::int64_t kFrameWork = 40'000'000'000;
 
-/// The share of each ray in the work of a picture. It depends on the picture's size and on the
-/// number of its surfaces alone: not on the other rays, so that a pixel has the same answer in
-/// every tile, pass and order.
+/// The work limit of each ray of a picture. It depends only on the picture's size and the number of
+/// its surfaces, not on other rays, so that a pixel has the same result in every tile, pass and
+/// order.
 [[nodiscard]] constexpr std::int64_t WorkOfRay(int width, int height, std::size_t surfaces)
 {
   const std::int64_t rays = std::max<std::int64_t>(std::int64_t{ width } * height, 1) *
@@ -41,9 +41,9 @@ struct RayLanes
   const double* tNear;        ///< at least kNearest
   const double* tFar;         ///< at most kFarthest
   int count;
-  /// A ray's hits behind its first one are not needed: a surface may leave them out.
+  /// Hits after a ray's first one are not needed; a surface may omit them.
   bool nearestOnly = false;
-  /// What a ray may spend alone, after all rays have been looked at together, in about nanoseconds
+  /// Work limit of a single ray, after all rays have been processed together, in about nanoseconds
   /// (EdgeWork). A surface that needs more reports an Undecided hit.
   std::int64_t work = kRayWork;
 };

@@ -14,7 +14,7 @@ namespace pixelexact
 {
 namespace
 {
-// Windows compute depths from these.
+// Windows compute depths from these buffers.
 constexpr Buffer kDrawn = Buffer::Position | Buffer::Verdict;
 
 bool Includes(Buffer set, Buffer wanted)
@@ -82,14 +82,14 @@ void Renderer::MakePainter(const Frame* frame)
 
 Pipeline Renderer::TracingPipeline()
 {
-  // Ranges and iso-values that follow from values are not known before the frame is traced.
+  // Ranges and iso-values that depend on values are unknown before the frame is traced.
   return Current.appearance.NeedsFrame() ? Pipeline{} : Paints->MakePipeline();
 }
 
 void Renderer::BeginFrame(Buffer buffers)
 {
   Buffers = buffers;
-  // Corners are kept, so that other contours trace nothing.
+  // The frame keeps corners, so that changed contours trace nothing.
   const Buffer corners = Paints->MakePipeline().Needs().corners;
   Passes.emplace(Current.scene, Current.camera.Make(), TracingPipeline(), buffers, corners,
     std::exchange(Spare, {}));
@@ -135,7 +135,7 @@ void Renderer::ShowPreview()
   }
   Shown = Passes->Preview();
   Step = std::max(1, Passes->Step());
-  // A frame that was to be traced at once and was aborted has other tiles the next time.
+  // An aborted frame without passes has other tiles at the next call.
   Previewed = Passes->Step() == 0 ? std::nullopt : std::optional(Passes->Step());
 }
 
@@ -189,7 +189,7 @@ const Frame& Renderer::Render(const View& view, const RenderWork& work, const Pr
   }
   catch (...)
   {
-    // A frame that is not the one asked for must not look like it.
+    // A failed call must not leave the frame of an earlier view.
     DropFrame();
     throw;
   }

@@ -16,68 +16,67 @@
 
 namespace pixelexact
 {
-/// How often each step was taken. Several renderers may count in the same counters.
+/// Counts of steps taken. Several renderers may share the counters.
 struct RenderCounters
 {
   std::int64_t traces = 0;
   std::int64_t colorings = 0;
 };
 
-/// The work of one call of Renderer::Render.
+/// Options of one call of Renderer::Render.
 struct RenderWork
 {
-  /// Buffers of centres that the frame keeps beside those that drawing needs.
+  /// Buffers of centres that the frame keeps in addition to those that drawing needs.
   Buffer buffers = Buffer::None;
   /// Time limit of tracing. A frame that takes longer is coarse, and each further call for the same
   /// rays refines it.
   double seconds = std::numeric_limits<double>::infinity();
-  bool refine = true; ///< whether a coarse frame of the same rays is refined
-  /// The ranges of the fields, kept as long as these stay the same; null: they are found for each
-  /// frame.
+  bool refine = true; ///< refines a coarse frame of the same rays
+  /// The ranges of the fields, which stay valid while the object is the same; null: they are
+  /// computed for each frame.
   std::shared_ptr<FieldRanges> ranges;
 };
 
-/// Frames of views for whoever shows them. Keeps the last frame and takes only the steps whose
-/// inputs changed: another colour table repaints, another camera or scene traces, an equal view
-/// does neither. Not for use by several threads at once.
+/// Draws frames of views. Keeps the last frame and takes only the steps whose inputs changed:
+/// another colour table repaints, another camera or scene traces, an equal view does neither. An
+/// object serves one thread at a time.
 class Renderer
 {
 public:
   /// Draws the labels of contours on a frame; Painter::Labels has their height.
   using LabelWriter = std::function<void(Frame&, const Camera&, const Painter&)>;
 
-  /// `counters` must outlive this. `labels`: null: no labels are drawn.
+  /// `counters` must outlive the object. `labels` null: no labels are drawn.
   explicit Renderer(RenderCounters& counters, LabelWriter labels = nullptr);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// The view's frame, valid until the next call. An aborted frame (see Progress) lacks tiles and
-  /// is traced by the next call; a coarse one (RenderWork::seconds) has only some of the pixels
-  /// (LastStep). Throws Error, after which there is no frame.
+  /// The view's frame, valid until the next call. An aborted frame (see Progress) lacks tiles, and
+  /// the next call traces it. A coarse frame (RenderWork::seconds) has every LastStep()-th pixel.
+  /// Throws Error; then there is no frame.
   const Frame& Render(const View& view, const RenderWork& work = {}, const Progress& progress = {});
 
-  /// Samples of the view at `positions` alone, with the usual buffers and colours; those of a
-  /// pixel's centre are the pixel's, bit for bit. There is no frame afterwards. Throws Error.
-  /// `ranges`: as RenderWork::ranges.
+  /// Samples of the view at `positions`, with the usual buffers and colours. A sample at a pixel's
+  /// centre equals the pixel's, bit for bit. Discards the last frame. Throws Error. `ranges`: as
+  /// RenderWork::ranges.
   SampleBuffers Sample(const View& view, std::span<const ImagePosition> positions,
     std::shared_ptr<FieldRanges> ranges = nullptr);
 
-  /// The last frame, complete and with all of its buffers: traced once more where it lacks some.
-  /// Null when there is none.
+  /// The last frame, complete and with all of its buffers. It is traced a second time if it lacks
+  /// some. Null if there is none.
   const Frame* FrameWithAllBuffers();
 
-  /// The last frame, null when there is none or it failed.
+  /// The last frame; null if there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const { return Shown ? &*Shown : nullptr; }
 
-  /// Pixels between those of the last frame, which has only every so many-th of each row and
-  /// column; 1: all of them.
+  /// Distance of the last frame's pixels in both directions; 1: the frame has all pixels.
   [[nodiscard]] int LastStep() const { return Step; }
 
-  /// Whether there is one, neither coarse nor aborted.
+  /// There is a last frame, and it is neither coarse nor aborted.
   [[nodiscard]] bool IsComplete() const { return Shown && Complete; }
 
-  /// The contours of the last frame's pixels; null where there are none, or only a coarse frame.
+  /// The contours of the last frame's pixels; null if there are none, or only a coarse frame.
   [[nodiscard]] const ContourCertifier* LastContours() const
   {
     return IsComplete() ? Paints->Contours() : nullptr;
@@ -86,23 +85,23 @@ public:
   [[nodiscard]] const View& LastView() const { return Current; }
   [[nodiscard]] const ResolvedAppearance& LastResolved() const { return Resolved; }
 
-  /// Differs whenever pixels may differ from those seen before, of this renderer or another that
-  /// counts in the same counters.
+  /// Differs whenever pixels may differ from earlier frames of this renderer, or of another that
+  /// shares the counters.
   [[nodiscard]] std::int64_t Version() const { return LastVersion; }
-  /// Differs whenever positions may.
+  /// Differs whenever positions of pixels may differ.
   [[nodiscard]] std::int64_t TraceVersion() const { return LastTraceVersion; }
 
-  /// Forgets view and frame.
+  /// Discards view and frame.
   void DropFrame();
 
 private:
   void Update(const View& view, const RenderWork& work, const Progress& progress);
-  /// Ranges, iso-values and modules of the view's appearance. `frame`: of its values; null: there
-  /// is none yet.
+  /// Resolves the view's appearance and creates its modules. `frame`: for rules that depend on its
+  /// values; null: there is no frame yet.
   void MakePainter(const Frame* frame);
-  /// The pipeline of a frame while it is traced: without ranges that follow from its values.
+  /// The pipeline of a frame while it is traced: empty if ranges depend on the frame's values.
   [[nodiscard]] Pipeline TracingPipeline();
-  /// Paints what is there, the complete frame or a coarse one, in the view's appearance.
+  /// Paints the complete or coarse frame with the view's appearance.
   void Paint();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
@@ -114,16 +113,16 @@ private:
   [[nodiscard]] Buffer AllBuffers() const;
 
   View Current;
-  bool HasRays = false; ///< whether Current is what the frame, or Passes, are traced for
+  bool HasRays = false; ///< the frame, or Passes, are traced for Current
   std::shared_ptr<FieldRanges> Ranges;
   std::shared_ptr<ContourBounds> Bounds; ///< of the view's fields, for contours
   Buffer Buffers = Buffer::None;         ///< that the frame is traced with
   ResolvedAppearance Resolved;
-  std::unique_ptr<Painter> Paints;        ///< of Current.appearance; null: of none
-  std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
-  std::optional<int> Previewed;           ///< the step of Passes that Shown is a preview of
+  std::unique_ptr<Painter> Paints;        ///< of Current.appearance; null: there is none
+  std::optional<ProgressiveFrame> Passes; ///< of an incomplete frame
+  std::optional<int> Previewed;           ///< step of Passes that Shown previews
   std::optional<Frame> Shown;
-  Frame Spare; ///< the frame before, whose memory the next one takes
+  Frame Spare; ///< the previous frame; the next one reuses its memory
   int Step = 1;
   bool Complete = false;
   FrameCost Cost;

@@ -8,11 +8,11 @@
 
 namespace pixelexact
 {
-/// Called from the calling thread's share of the work with the part done, 0 to 1; returning false
-/// aborts the work. May be empty.
+/// Called from the calling thread's share of the work with the completed part, 0 to 1; returning
+/// false aborts the work. May be empty.
 using Progress = std::function<bool(double)>;
 
-/// When work has to end.
+/// Time at which work must end.
 using Deadline = std::chrono::steady_clock::time_point;
 inline constexpr Deadline kNoDeadline = Deadline::max();
 
@@ -22,10 +22,9 @@ class Reporter
 public:
   Reporter(const Progress& progress, int total, Deadline end = kNoDeadline);
 
-  /// Whether there is time for another tile; for the first one there always is, so that whoever
-  /// asks again and again comes to an end.
+  /// There is time for another tile. True for the first tile, so that repeated calls make progress.
   [[nodiscard]] bool HasTime();
-  /// By the progress function or the time.
+  /// The progress function or the deadline has ended the work.
   [[nodiscard]] bool IsAborted() const { return Aborted; }
   void TileDone();
 

@@ -9,7 +9,7 @@
 
 namespace pixelexact
 {
-/// Hits of a tile that follow each other and have a key in common: an element, a piece.
+/// Consecutive hits of a tile with a common key, such as an element or a piece.
 struct KeyRun
 {
   std::int32_t key;
@@ -17,9 +17,8 @@ struct KeyRun
   std::size_t end;
 };
 
-/// visit(runs of one key) for each key: what is evaluated element by element fills whole packs,
-/// though a tile's hits go from one to the other and back. `keyOf(i)` for i below count; `runs` is
-/// room for them.
+/// Calls visit(key, runs) for each key. Evaluation by element then fills whole packs, even if a
+/// tile's hits alternate between elements. `keyOf(i)`: for i below `count`. `runs`: scratch memory.
 template <class KeyOf, class Visit>
 void ForEachKey(
   std::size_t count, const KeyOf& keyOf, std::vector<KeyRun>& runs, const Visit& visit)

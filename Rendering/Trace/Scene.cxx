@@ -24,7 +24,7 @@ double Magnitude(std::span<const double> values)
   {
     return std::sqrt(squares);
   }
-  // hypot neither overflows nor underflows on the way, but takes much longer.
+  // hypot neither overflows nor underflows, but is much slower than std::fabs.
   return std::accumulate(values.begin() + 1, values.end(), std::fabs(values.front()),
     [](double sum, double v) { return std::hypot(sum, v); });
 }

@@ -14,9 +14,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Whether samples are neighbours in the frame. Where all samples of a tile are there, first and
-/// last place decide; where some are missing, those of two blocks may be as far apart as the ends
-/// of a row.
+/// The samples are neighbours in the frame. If all samples of a tile are present, first and last
+/// place decide. If some are missing, the ends of a row may belong to two blocks.
 bool AreRow(std::span<const std::size_t, TileSamples::kRow> place, bool complete)
 {
   bool areRow = place.back() == place.front() + place.size() - 1;
@@ -27,7 +26,7 @@ bool AreRow(std::span<const std::size_t, TileSamples::kRow> place, bool complete
   return areRow;
 }
 
-/// Bounds of a layer's component, or of the magnitude, from those of all components of a value.
+/// Bounds of a layer's component, or of the magnitude, from bounds of all components.
 Interval BoundsOf(std::span<const double> lower, std::span<const double> upper, int component)
 {
   if (component != kMagnitude || lower.size() == 1)
@@ -93,7 +92,7 @@ void TileHits::Gather(const Source& from, std::span<const int> rays, std::span<c
   std::array<const double*, 4> column{};
   for (std::size_t i = 0; i < stride; ++i)
   {
-    // Padded with the last.
+    // The arrays are padded with the last hit.
     const std::size_t k = std::min(i, count - 1);
     if (slots[k] != slot)
     {
@@ -163,8 +162,8 @@ void TileHits::Evaluate(const Locator& locator, const SampleBuffers& wanted, Pre
   Reduce(components);
 }
 
-/// Elements and xi are the surface's. The field is evaluated element by element, so that points
-/// fill whole packs though hits alternate between elements.
+/// Elements and xi come from the surface. The field is evaluated element by element, so that points
+/// fill whole packs even if hits alternate between elements.
 void TileHits::EvaluateInElements(const Mesh& mesh, const Field* field, const SampleTarget& target)
 {
   for (std::size_t i = 0; i < Size(); ++i)
@@ -207,7 +206,7 @@ void TileHits::EvaluateInElements(const Mesh& mesh, const Field* field, const Sa
     });
 }
 
-/// Leaves the component that is shown.
+/// Reduces all components to the layer's component.
 void TileHits::Reduce(std::size_t components)
 {
   const int component = Of->component;
@@ -230,7 +229,7 @@ void TileHits::Reduce(std::size_t components)
   Upper.Resize(bounds);
 }
 
-/// Visits all hits, or those that are not outside.
+/// Computes the normals of all hits, or of those that are not outside.
 void TileHits::FindNormals(bool ofAll)
 {
   const std::size_t count = Size();
@@ -250,7 +249,7 @@ void TileHits::FindNormals(bool ofAll)
   }
   std::size_t found = Points.size();
   Of->surface->Normals(Points, Normal.View().first(found));
-  // From the front, where they are side by side, each to its hit: the last one first.
+  // Normals move from the front of the array to their hits, the last one first.
   for (std::size_t i = count; found > 0;)
   {
     --i;
@@ -295,7 +294,7 @@ void TileHits::Write(
   }
 }
 
-/// The verdicts of the hits on a sheet; the others are outside.
+/// The verdicts of the hits on a sheet; all other hits count as outside.
 std::span<const Verdict> TileHits::VerdictsOn(int sheet)
 {
   if (Sheet.IsEmpty())
@@ -310,7 +309,7 @@ std::span<const Verdict> TileHits::VerdictsOn(int sheet)
   return OnSheet.View();
 }
 
-/// Writes the hits that the writer has sorted. Every buffer with hits has a line here, but owners.
+/// Writes the hits that the writer has sorted. Every buffer except owners has a line here.
 void TileHits::WriteSheet(SampleBuffers& to) const
 {
   const auto of = [](const auto& column)

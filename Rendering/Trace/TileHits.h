@@ -16,20 +16,20 @@
 
 namespace pixelexact
 {
-/// Writes samples to the frame's buffers, one buffer after the other. Most samples are inside and
-/// neighbours in the frame: rows of them are written together.
+/// Writes samples to the frame's buffers, one buffer after the other. Rows of neighbouring samples
+/// inside the mesh, which most samples are, are written together.
 class SampleWriter
 {
 public:
-  /// Sorts the samples by their verdicts; `place` are their places in the frame's buffers and must
-  /// live until the next call. `complete`: these are all samples of a tile's lattice.
+  /// Sorts the samples by their verdicts. `place`: their places in the frame's buffers; must live
+  /// until the next call. `complete`: these are all samples of a tile's lattice.
   void Sort(
     std::span<const Verdict> verdicts, std::span<const std::size_t> place, bool complete = false);
 
   [[nodiscard]] std::int64_t Exact() const { return ExactCount; }
   [[nodiscard]] std::int64_t Unknown() const { return static_cast<std::int64_t>(Unknowns.size()); }
 
-  /// buffer[place[i]] = valueOf(i) for the samples inside. Does nothing to an empty buffer.
+  /// Sets buffer[place[i]] = valueOf(i) for the samples inside. Does nothing to an empty buffer.
   template <class T, class ValueOf>
   void WriteInside(std::vector<T>& buffer, const ValueOf& valueOf) const
   {
@@ -101,8 +101,8 @@ private:
 };
 
 /// The hits of one layer that a tile evaluates together, as a structure of arrays: entry i of each
-/// column is of hit i. It is the only layout of hits between the surfaces' slots and the frame's
-/// buffers. Columns that nobody needs are empty.
+/// column belongs to hit i. Hits have no other layout between the surfaces' slots and the frame's
+/// buffers. Unneeded columns are empty.
 class TileHits
 {
 public:
@@ -114,21 +114,22 @@ public:
     const HitSlots& slots;
   };
 
-  /// The hits of all rays in slot 0, which are read where they are: every ray must have one there.
-  /// `place`: of each ray in the buffers.
+  /// Takes the hits of all rays from slot 0, in place. Every ray must have a hit there. `place`:
+  /// place of each ray in the buffers.
   void TakeFirstSlot(const Source& from, std::span<const std::size_t> place);
-  /// The hits of some rays, ascending, of each the one in its slot; both arrays must live as long
-  /// as the hits are used. `place`: of all rays of the tile in the buffers.
+  /// Gathers one hit of each ray in `rays` (ascending), from that ray's entry of `slots`. Both
+  /// arrays must live as long as the hits are used. `place`: place of each ray of the tile in the
+  /// buffers.
   void Gather(const Source& from, std::span<const int> rays, std::span<const int> slots,
     std::span<const std::size_t> place);
 
-  /// Locates the hits and evaluates the layer's field, as far as the buffers `wanted` take it. Hits
-  /// of surfaces that store elements are not located. An undecided hit that is not outside gets the
-  /// verdict Unknown. Adds to `check` where values are computed in floats.
+  /// Locates the hits and evaluates the layer's field, as far as the buffers of `wanted` need it.
+  /// Hits of surfaces that store elements are not located. An Undecided hit that is not outside
+  /// gets the verdict Unknown. Adds to `check` if values are computed in floats.
   void Evaluate(const Locator& locator, const SampleBuffers& wanted, PrecisionCheck& check);
-  /// Writes the hits that are not outside to the sheets that they are seen on, and counts them.
-  /// `depth`: the sheet of each ray; empty: the nearest. Owners are also written of hits outside of
-  /// the mesh but within its bounds.
+  /// Writes the hits that are not outside to their sheets, and counts them. `depth`: the sheet of
+  /// each ray; empty: the nearest sheet. Owners are also written for hits outside the mesh but
+  /// within its bounds.
   void Write(
     const Locator& locator, std::span<const int> depth, Sheets& sheets, FrameCounters& counters);
 
@@ -170,12 +171,12 @@ private:
   Column<Verdict> VerdictOf;
   Column<std::int32_t> Element;
   Column<Vec3> Xi;
-  // All components of each hit while they are evaluated, then the one that is shown.
+  // All components of each hit during evaluation, then only the layer's component.
   Column<double> Value;
   Column<double> Lower;
   Column<double> Upper;
   Column<Vec3> Normal;
-  // Memory of columns that are read where they are if possible, and of single steps.
+  // Scratch memory: columns that cannot be read in place, and arrays of single steps.
   std::vector<int> AllRays;    ///< 0, 1, 2 ...
   std::vector<int> FirstSlots; ///< zeros
   Column<std::size_t> Places;

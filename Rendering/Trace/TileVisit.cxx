@@ -18,7 +18,7 @@ namespace pixelexact
 {
 namespace
 {
-/// visit(samples) for each sheet.
+/// Calls visit(samples) for each sheet.
 template <class Visit>
 void ForEachSheet(SampleBuffers& samples, const Visit& visit)
 {
@@ -35,7 +35,8 @@ void BlendSheets(
 {
   if (samples.behind.empty())
   {
-    // Nothing shows through; what is not there at all has no colour. By whole pixels, many at once.
+    // One opaque sheet needs no blending. Empty samples get no colour. Whole pixels are compared,
+    // several at once.
     constexpr auto kAlpha =
       std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{ 0, 0, 0, 255 });
     const std::uint8_t* own = samples.color.data() + 4 * begin;
@@ -50,7 +51,7 @@ void BlendSheets(
   }
   for (std::size_t i = begin; i < end; ++i, image += 4)
   {
-    // Front to back; straight alpha.
+    // Blends front to back, with straight alpha.
     double color[3] = {};
     double through = 1.0;
     const auto add = [&](const SampleBuffers& sheet)
@@ -169,7 +170,7 @@ bool TileVisit::HasCorners() const
 
 namespace
 {
-/// The samples of `area` of a lattice, sheet by sheet.
+/// Copies the samples of `area` of a lattice, sheet by sheet.
 void CopyPart(const LatticePart& from, const TileArea& area, SampleBuffers& to)
 {
   const auto copy = [&](const SampleBuffers& source, SampleBuffers& part)
@@ -259,7 +260,7 @@ LatticePart TileVisit::CornersOf(const TileArea& lattice, std::span<const std::u
   RequireTracing();
   std::vector<ImagePosition> positions;
   std::vector<std::size_t> places;
-  // Block by block, so that neighbours follow each other.
+  // Positions are ordered in blocks, so that neighbours follow each other.
   constexpr int kBlock = TileSamples::kRow;
   const auto width = static_cast<std::size_t>(lattice.Width());
   for (int y0 = lattice.y0; y0 < lattice.y1; y0 += kBlock)

@@ -12,12 +12,12 @@
 
 namespace pixelexact
 {
-/// Samples of a part of an image, row by row: of the pixel (x, y) its centre or, where they are
-/// corners, the lower left one.
+/// Samples of a part of an image, row by row. The sample of pixel (x, y) is at its centre or, in a
+/// lattice of corners, at its lower left corner.
 struct LatticePart
 {
   const SampleBuffers& samples;
-  int x0 = 0; ///< of the first
+  int x0 = 0; ///< of the first sample
   int y0 = 0;
 
   [[nodiscard]] std::size_t At(int x, int y) const
@@ -27,13 +27,13 @@ struct LatticePart
   }
 };
 
-/// What modules see of a tile, and what they may ask for.
+/// Access of modules to a tile and to its samples.
 class TileVisit
 {
 public:
-  /// `scene` null: a frame that is there already gets other colours, and nothing can be traced.
-  /// `own`: the area's centres, with more buffers than the frame keeps; null: there are none. It
-  /// must outlive it.
+  /// `scene` null: a complete frame gets other colours, and nothing can be traced. `own`: the
+  /// area's centres, with more buffers than the frame keeps; null: there are none. Arguments must
+  /// outlive the object.
   TileVisit(const Scene* scene, const Camera* camera, const Pipeline& pipeline, Frame& frame,
     const TileArea& area, const SampleBuffers* own = nullptr)
     : scene_(scene)
@@ -45,51 +45,51 @@ public:
   {
   }
 
-  /// Colours and the image.
+  /// Makes the colours of samples, and the image.
   void MakeImage();
   void Run(std::span<FrameModule* const> modules);
 
   [[nodiscard]] const TileArea& Area() const { return area_; }
-  /// The frame; of the area's pixels alone.
+  /// The frame; only the area's pixels may be read or written.
   [[nodiscard]] Frame& GetFrame() { return frame_; }
 
-  /// What is traced, and from where. Throw Error where nothing can be traced.
+  /// The traced scene and its camera. Throw Error if nothing can be traced.
   [[nodiscard]] const Scene& GetScene() const;
   [[nodiscard]] const Camera& GetCamera() const;
 
-  /// The centres of the area's pixels with the buffers that the modules welcome; nothing where they
-  /// are not at hand, as in frames that have been traced before and do not keep them.
+  /// The centres of the area's pixels with the buffers that the modules welcome; none if the frame
+  /// does not hold these buffers, as after an earlier trace.
   [[nodiscard]] std::optional<LatticePart> Centres() const;
   /// The corners of the area's pixels, (width + 1) x (height + 1), with the buffers that the
-  /// modules need. Their colours are made by Image, if a module needs them coloured.
+  /// modules need. If a module needs colours of corners, Image makes them.
   [[nodiscard]] SampleBuffers& Corners();
-  /// Some corners of a part of the lattice, which may reach beyond the tile: those that are wanted,
-  /// row by row, with the buffers that are needed, of those that the modules need. Of others there
-  /// is nothing, or what is seen there. `traced` must outlive it.
+  /// Corners of `lattice`, which may extend outside the tile. Corners with `wanted` set, row by
+  /// row, hold the buffers `needed`, which must be among the modules' needs. Other corners hold
+  /// Nothing or their sample. `traced` must outlive the result.
   [[nodiscard]] LatticePart CornersOf(const TileArea& lattice, std::span<const std::uint8_t> wanted,
     Buffer needed, SampleBuffers& traced);
-  /// Samples within edges, so many for each edge (SampleNeeds::edgeLevel): those that go across,
-  /// width x (height + 1) edges, and those that go up, (width + 1) x height; edge by edge, rows of
-  /// edges lower-left first.
+  /// Samples inside edges, SamplesPerEdge() for each edge (SampleNeeds::edgeLevel). EdgesAcross has
+  /// width x (height + 1) horizontal edges, EdgesUp (width + 1) x height vertical ones. Samples are
+  /// stored edge by edge, edges in rows from the lower left.
   [[nodiscard]] const SampleBuffers& EdgesAcross();
   [[nodiscard]] const SampleBuffers& EdgesUp();
   [[nodiscard]] int SamplesPerEdge() const;
 
-  /// More samples, one after the other, as a row. Throws Error where nothing can be traced, as do
-  /// those above.
+  /// Traces samples at any positions, in one row. Throws Error if nothing can be traced, as the
+  /// functions above.
   [[nodiscard]] SampleBuffers Trace(std::span<const ImagePosition> positions, Buffer wanted);
 
   /// The buffers that samples must have for Image.
   [[nodiscard]] Buffer ColorNeeds() const { return pipeline_.ColorNeeds(); }
-  /// Colours of samples, the sheets blended: 4 bytes each.
+  /// Colours of samples, with sheets blended: 4 bytes each.
   [[nodiscard]] std::vector<std::uint8_t> Image(SampleBuffers& samples) const;
 
-  /// Of samples that were asked for here.
+  /// Counters of the samples that modules requested from this object.
   [[nodiscard]] const FrameCounters& Counters() const { return Asked; }
 
 private:
   void RequireTracing() const;
-  /// Whether the frame has the corners that the modules need.
+  /// The frame holds the corners that the modules need.
   [[nodiscard]] bool HasCorners() const;
   const SampleBuffers& Edges(SampleBuffers& samples, bool across);
 
@@ -105,13 +105,12 @@ private:
   SampleBuffers Up;
 };
 
-/// For each corner of some pixels, (width + 1) x (height + 1), whether it is one of a pixel that is
-/// set; both row by row.
+/// Marks the corners of pixels that are set. `pixels`: row by row. The result has (width + 1) x
+/// (height + 1) corners, row by row.
 [[nodiscard]] std::vector<std::uint8_t> CornersOfPixels(
   std::span<const std::uint8_t> pixels, int width);
 
-/// Colours of samples of one set, row by row from `begin`: those behind show through translucent
-/// ones. `image` gets 4 bytes a sample.
+/// Blends the sheets of samples [begin, end), front to back. `image` gets 4 bytes a sample.
 void BlendSheets(
   const SampleBuffers& samples, std::size_t begin, std::size_t end, std::uint8_t* image);
 } // namespace pixelexact

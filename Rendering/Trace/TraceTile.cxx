@@ -12,8 +12,8 @@
 #include <iterator>
 #include <numeric>
 
-// The life of a tile's rays, in this order: samples are placed, rays cast and intersected with the
-// surfaces, walked from hit to hit, and their hits evaluated (TileHits) and written.
+// The stages of a tile's rays, in this order: samples are placed; rays are cast, intersected with
+// the surfaces, and walked from hit to hit; hits are evaluated (TileHits) and written.
 
 namespace pixelexact
 {
@@ -28,7 +28,7 @@ struct Block
 /// Blocks of kRow x kRow samples along a Z-curve.
 constexpr auto MakeBlocks()
 {
-  // A power of two that holds a tile and the corners at its end.
+  // A power of two that covers a tile and the corners at its end.
   constexpr int kAcross = 2 * kTileSize / TileSamples::kRow;
   std::array<Block, static_cast<std::size_t>(kAcross) * kAcross> blocks{};
   for (int code = 0; code < kAcross * kAcross; ++code)
@@ -46,7 +46,7 @@ constexpr auto MakeBlocks()
 }
 constexpr auto kBlocks = MakeBlocks();
 
-/// By more than the rounding of positions on its faces.
+/// The box, enlarged by more than the rounding of positions on its faces.
 Box3 Widened(const Box3& box)
 {
   const Vec3 largest = glm::max(glm::abs(box.lower), glm::abs(box.upper));
@@ -93,14 +93,14 @@ void TileSamples::Begin(
       static_cast<std::size_t>(width);
   }
   std::size_t at = 0;
-  // The first quarter holds the tiles without the corners at their ends.
+  // The first quarter covers tiles without the corners at their ends.
   const bool whole = columns > kTileSize || rows > kTileSize;
   for (const Block& block : std::span(kBlocks).first(kBlocks.size() / (whole ? 1 : 4)))
   {
     const int inRow = std::min(kRow, columns - block.x);
     for (int y = block.y; inRow > 0 && y < std::min(block.y + kRow, rows); ++y)
     {
-      // A whole row first, in arrays that nothing else points to; what is too much is overwritten.
+      // Whole rows are written to local arrays without aliases; the surplus is overwritten.
       std::array<double, kRow> across;
       std::array<double, kRow> up;
       std::array<std::size_t, kRow> places;
@@ -168,7 +168,7 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
   {
     hits[k].Begin(Size);
   }
-  // What lies outside of the mesh's box need not be found. A plane is met as fast as that is known.
+  // Hits outside the mesh's box are not needed. Clipping would cost as much as meeting a plane.
   const bool isCurved = scene.locator != nullptr &&
     !std::ranges::all_of(scene.layers, [](const Layer& layer) { return layer.surface->IsFlat(); });
   const Box3 bounds = isCurved ? Widened(scene.locator->Bounds()) : Box3{};
@@ -207,7 +207,7 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
 
 namespace
 {
-/// The hits that rays have come to, of one layer.
+/// The hits of one layer that rays have reached.
 struct ReachedHits
 {
   std::vector<int> ray; ///< ascending
@@ -218,10 +218,10 @@ struct ReachedHits
 struct TileArrays
 {
   std::vector<HitSlots> hits;       ///< by layer
-  std::vector<int> alive;           ///< rays that have not ended, ascending
-  std::vector<int> passed;          ///< by layer and ray: slots; of several layers
+  std::vector<int> alive;           ///< rays that continue, ascending
+  std::vector<int> passed;          ///< slots passed, by layer and ray; only for several layers
   std::vector<ReachedHits> reached; ///< by layer
-  std::vector<int> depth; ///< by ray: sheets that it has passed; empty where all layers are opaque
+  std::vector<int> depth;           ///< sheets passed, by ray; empty if all layers are opaque
   TileHits batch;
 };
 
@@ -261,7 +261,7 @@ public:
   }
 
 private:
-  /// The k-th hits of all rays are those of slot k.
+  /// Walks rays on a scene of one layer: the k-th hits are those of slot k.
   void WalkOneLayer()
   {
     const HitSlots& hits = Arrays.hits[0];
@@ -269,7 +269,7 @@ private:
     if (hits.Count() > 0 &&
       GetRayKernels().countHits(hits.T(0), Samples.Count()) == Samples.Count())
     {
-      // Every ray meets the surface: nothing is gathered.
+      // Every ray meets the surface, so nothing is gathered.
       Arrays.batch.TakeFirstSlot(HitsWith(0), Place);
       EvaluateAndWrite();
       if (hits.Count() == 1)
@@ -318,7 +318,7 @@ private:
       {
         FinishReached(k);
       }
-      // SampleWriter needs neighbours beside each other.
+      // SampleWriter needs neighbours next to each other.
       std::ranges::sort(Arrays.alive);
     }
   }
@@ -329,7 +329,7 @@ private:
     std::iota(Arrays.alive.begin(), Arrays.alive.end(), 0);
   }
 
-  /// Takes a ray to the nearest of its hits that it has not passed; at equal t of the first layer.
+  /// Advances a ray to its nearest hit that it has not passed; at equal t, to the first layer's.
   void Advance(int ray)
   {
     const auto at = static_cast<std::size_t>(ray);
@@ -356,7 +356,7 @@ private:
     return { Traced.layers[layer], static_cast<std::uint8_t>(layer), Arrays.hits[layer] };
   }
 
-  /// Evaluates and writes a layer's hits that rays have come to.
+  /// Evaluates and writes a layer's hits that rays have reached.
   void FinishReached(std::size_t layer)
   {
     const ReachedHits& reached = Arrays.reached[layer];
@@ -375,7 +375,7 @@ private:
     Arrays.batch.Write(*Traced.locator, Arrays.depth, ToSheets, Counters);
   }
 
-  /// Adds the batch's rays that do not end at their hits to those alive.
+  /// Adds the batch's rays that do not end at their hits to `alive`.
   void KeepGoing()
   {
     const TileHits& batch = Arrays.batch;

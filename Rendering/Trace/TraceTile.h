@@ -12,8 +12,8 @@
 
 namespace pixelexact
 {
-/// Pixels along a tile's side: some hundred hits per element and query, and enough tiles to keep
-/// all cores busy.
+/// Pixels along a tile's side. A tile has some hundred hits per element and query, and there are
+/// enough tiles for all cores.
 inline constexpr int kTileSize = 32;
 
 /// Samples of an image: (i, j) lies at image position (x0 + i step + offset, y0 + j step + offset)
@@ -39,7 +39,7 @@ struct TileArea
   [[nodiscard]] int Height() const { return y1 - y0; }
 };
 
-/// In pixels; see Camera.
+/// Image position in pixels; see Camera.
 using ImagePosition = std::array<double, 2>;
 
 /// The samples of a tile: their places in the image and in the buffers. Samples of a lattice are
@@ -48,20 +48,22 @@ using ImagePosition = std::array<double, 2>;
 class TileSamples
 {
 public:
-  /// Neighbouring samples of a lattice's row follow each other in memory at least this far, except
-  /// at the edges of the image.
+  /// Count of neighbouring samples of a lattice's row that follow each other in memory, except at
+  /// the edges of the image.
   static constexpr int kRow = 8;
 
-  /// Samples of a lattice, at most kTileSize + 1 each way; results go to rows of `width` samples.
+  /// Samples of a lattice, at most kTileSize + 1 in each direction; results go to rows of `width`
+  /// samples.
   void Begin(const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width);
   /// The samples of an area of the lattice with this offset; results go to buffers of the area
   /// alone.
   void BeginAlone(const Camera& camera, const TileArea& area, double offset);
-  /// Any samples; the results of the i-th one go to place i. Neighbours should follow each other.
+  /// Samples at any positions; results of the i-th one go to place i. Neighbours should follow each
+  /// other.
   void Begin(const Camera& camera, std::span<const ImagePosition> positions);
 
   /// Casts the samples' rays and finds their hits with all layers: hits[k] are those of layer k.
-  /// Rays are cast a few at a time and not kept, so that they stay in the nearest cache. The scene
+  /// Rays are cast in batches and not kept, so that they stay in the first-level cache. The scene
   /// may have no locator.
   void Meet(const Camera& camera, const Scene& scene, std::vector<HitSlots>& hits);
 
@@ -70,7 +72,7 @@ public:
   std::vector<std::size_t> place; ///< in the buffers, by sample
 
 private:
-  /// Rays that are cast together.
+  /// Rays of a batch.
   static constexpr int kCast = 128;
 
   void Fit(int count);
@@ -85,12 +87,12 @@ private:
   std::array<double, kCast> Far{};
 };
 
-/// The sheets of a set of samples while tiles write to them: the nearest one, and those seen
-/// through it, which are allocated when the first ray reaches them.
+/// The sheets of a set of samples while tiles write to them: the nearest one, and those behind it,
+/// which are allocated when the first ray reaches them.
 class Sheets
 {
 public:
-  /// The largest number of sheets; what lies behind the last one is not kept.
+  /// The largest number of sheets; later sheets are discarded.
   static constexpr int kMax = 64;
 
   /// `nearest` is allocated for the buffers `wanted`; the other sheets get the same ones.
@@ -102,7 +104,7 @@ public:
 
   [[nodiscard]] Buffer Buffers() const { return Wanted; }
 
-  /// From 0, the nearest, to kMax - 1. May be called from several threads at once.
+  /// Sheet k, from 0, the nearest, to kMax - 1. May be called from several threads at once.
   SampleBuffers& At(int k)
   {
     if (k == 0)
@@ -111,7 +113,7 @@ public:
     }
     const std::scoped_lock lock(Growing);
     auto& behind = Nearest.behind;
-    // Sheets do not move while others write to them.
+    // Sheets do not move while other threads write to them.
     behind.reserve(kMax - 1);
     while (behind.size() < static_cast<std::size_t>(k))
     {
@@ -126,11 +128,11 @@ private:
   std::mutex Growing;
 };
 
-/// Finds all hits of the samples' rays, once; walks each ray from hit to hit, in the order of t, at
-/// equal t in the order of layers; locates and evaluates the hits and writes them to the sheets. A
-/// hit outside of the mesh lets its ray go on; so does a hit on a translucent layer, to the next
-/// sheet. Writes to the samples' own places only; counters are added to `counters`. The result of
-/// a sample does not depend on the others.
+/// Finds all hits of the samples' rays, once, and walks each ray from hit to hit, in the order of
+/// t, at equal t in the order of layers. Locates and evaluates the hits and writes them to the
+/// sheets. After a hit outside the mesh the ray continues; after a hit on a translucent layer it
+/// continues to the next sheet. Writes only the samples' own places; adds to `counters`. A sample's
+/// result does not depend on other samples.
 void TraceTile(const Scene& scene, const Camera& camera, TileSamples& samples, Sheets& sheets,
   FrameCounters& counters);
 } // namespace pixelexact

@@ -20,7 +20,7 @@ void TraceCorners(const Scene& scene, const Camera& camera, Buffer wanted, Frame
   Sheets sheets(frame.corners, wanted);
   AddSamples(TraceLattice(scene, camera, kCorners, sheets, reporter, stages), frame.counters);
 }
-/// What modules welcome that come when all tiles are there, so that the frame keeps it.
+/// Buffers of centres that modules of later runs welcome, so that the frame keeps them.
 Buffer WelcomeLate(const Pipeline& pipeline, bool translucent)
 {
   Buffer late = Buffer::None;
@@ -55,7 +55,7 @@ void SpreadBlocks(std::vector<T>& buffer, std::size_t width, std::size_t step)
   }
 }
 
-/// By verdict, of the pixels.
+/// Counts the pixels by verdict.
 void CountPixels(Frame& frame)
 {
   const SampleBuffers& centres = frame.centres;
@@ -74,7 +74,7 @@ void CountPixels(Frame& frame)
 }
 
 /// Copies the samples of the lower left pixels of blocks of `step` x `step` pixels to all pixels of
-/// these.
+/// their block.
 void SpreadOverBlocks(Frame& frame, int step)
 {
   const auto width = static_cast<std::size_t>(frame.width);
@@ -103,7 +103,7 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   frame.width = camera.Width();
   frame.height = camera.Height();
   constexpr SampleLattice kCentres{ 0.5 };
-  // A module may want nothing but corners, and still visits the tiles of pixels.
+  // Modules visit the tiles of pixels even if they need only corners.
   const bool visits = needs.centres != Buffer::None || !pipeline.modules.empty();
   int tiles = 0;
   if (visits)
@@ -123,7 +123,7 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   {
     frame.corners = {};
   }
-  // Modules of later runs visit the pixels' tiles again, of translucent scenes all of them do.
+  // Modules of later runs visit all tiles again. With translucent layers, all runs do.
   const int visitsLater = static_cast<int>(pipeline.Runs().size()) - (translucent ? 0 : 1);
   if (!pipeline.modules.empty())
   {
@@ -132,7 +132,7 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   Reporter reporter(progress, tiles);
   if (extra.corners != Buffer::None)
   {
-    // First, because modules read them.
+    // Corners come first, because modules read them.
     TraceCorners(scene, camera, extra.corners, frame, reporter, stages);
   }
   if (visits)
@@ -157,7 +157,7 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   }
   if (translucent)
   {
-    // The sheets are known only when all tiles are.
+    // The sheets are complete only after all tiles.
     Reporter* const counts = pipeline.modules.empty() ? nullptr : &reporter;
     AddSamples(RunPipeline(&scene, &camera, pipeline, frame, counts, stages), frame.counters);
   }

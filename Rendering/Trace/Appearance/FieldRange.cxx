@@ -14,11 +14,11 @@ namespace pixelexact
 namespace
 {
 constexpr RangeEffort kEffort{ 1e-3, 200 };
-/// Of a field's largest coefficient: what rounding may change a value by, with room; and half of
-/// the range that shows it as one colour.
+/// Relative to a field's largest coefficient: an upper bound of the rounding of values, and half
+/// the width of a range that shows them in one colour.
 constexpr double kRounding = 1e-12;
 constexpr double kOneColour = 5e-7;
-/// The middle of a range is where two colours of a table meet.
+/// Shifts the range, because two colours of a table meet in the middle of a range.
 constexpr double kAside = 0.998;
 
 double LargestOf(const Field& field)
@@ -26,14 +26,14 @@ double LargestOf(const Field& field)
   double largest = 0.0;
   for (const double coefficient : field.values.coefficients)
   {
-    // Infinities and NaN say nothing of other elements.
+    // Infinite and NaN coefficients affect only their own elements.
     const double size = std::fabs(coefficient);
     largest = size <= std::numeric_limits<double>::max() ? std::max(largest, size) : largest;
   }
   return largest;
 }
 
-/// The largest coefficient; for an expression, which has none, the largest value of the range.
+/// The largest coefficient; for an expression, the larger magnitude of the range's ends.
 double LargestOf(const Field& field, const std::array<double, 2>& range)
 {
   return field.function != nullptr ? std::max(std::fabs(range[0]), std::fabs(range[1]))
@@ -50,7 +50,7 @@ RangeQuestion QuestionOf(const Field& field, int component)
 {
   RangeQuestion question;
   question.field = &field;
-  // Of one component the tracer shows the value itself.
+  // For one component, kMagnitude is the signed value.
   if (component == kMagnitude && field.values.components > 1)
   {
     question.quantity = Quantity::Magnitude;
@@ -92,7 +92,7 @@ std::optional<std::array<double, 2>> AttainedRange(
   {
     return std::array{ range.attained.lower, range.attained.upper };
   }
-  // A constant, up to rounding: 0 where it may be 0.
+  // The field is constant up to rounding: 0 if it may be 0.
   if (range.outer.lower <= range.outer.upper)
   {
     return range.outer.Contains(0.0) ? std::array{ 0.0, 0.0 }

@@ -27,7 +27,7 @@ bool HasLabels(const View& view)
     !(appearance.bySheets && HasTranslucent(view.scene));
 }
 
-/// Whether pixels whose colour is not proven have a colour of their own.
+/// Pixels whose colour is not proven have a colour of their own.
 bool MarksUndecided(const Appearance& appearance)
 {
   return appearance.undecided && appearance.IsByValue() && !appearance.HasContoursOnly();
@@ -108,7 +108,8 @@ void Painter::MakeContours(
   {
     values.push_back(resolved.layers[k].contours);
     colors.push_back(resolved.layers[k].contourColors);
-    // Also where the values are not known yet: what is traced for them is the same.
+    // The flag includes layers whose values are not resolved yet, because the traced buffers depend
+    // on it.
     const bool any = appearance.layers[k].contours.Any();
     style.curved = style.curved || (any && !scene.layers[k].surface->IsFlat());
   }
@@ -134,7 +135,7 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   {
     pipeline.modules.push_back(&*Smooth);
   }
-  // Behind anti-aliasing, so that nothing smooths them.
+  // Edges come after anti-aliasing, which would smooth them.
   if (Edges && drawn.edges)
   {
     pipeline.modules.push_back(&*Edges);
@@ -143,7 +144,7 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   {
     pipeline.modules.push_back(&*Outlines);
   }
-  // Last, so that nothing is drawn over them.
+  // Contours come last, so that nothing is drawn over them.
   if (Certifier)
   {
     pipeline.modules.push_back(&*Certifier);
@@ -158,7 +159,7 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
 Buffer NeedsOf(const View& view, bool afterwards)
 {
   const Appearance& appearance = view.appearance;
-  // Normals tell labels where a surface hides a part of itself.
+  // Labels need normals to detect where a surface hides a part of itself.
   const Buffer ofLabels =
     HasLabels(view) ? Buffer::Value | Buffer::Position | Buffer::Normal : Buffer::None;
   const Buffer ofContours = afterwards && appearance.HasContours()

@@ -21,11 +21,11 @@ namespace pixelexact
 class ContourBounds;
 struct View;
 
-/// Which lines a pipeline draws beside colours.
+/// The lines that a pipeline draws in addition to colours.
 struct Drawn
 {
   bool edges = true;    ///< between elements
-  bool contours = true; ///< pixels are classified in any case
+  bool contours = true; ///< pixels are classified even if false
 };
 
 /// Creates pipelines from the appearance of a view: colours, lights, undecided pixels,
@@ -33,9 +33,9 @@ struct Drawn
 class Painter
 {
 public:
-  /// `resolved`: of the view. `bounds`: bounds of the fields that contours
-  /// keep between frames; null: they are computed for each frame. Throws Error for values and
-  /// widths that cannot be drawn, and where samples would mix the colour of undecided pixels.
+  /// `resolved`: of the view. `bounds`: bounds of the fields that contours keep between frames;
+  /// null: they are computed for each frame. Throws Error for values and widths that cannot be
+  /// drawn, and if anti-aliasing would mix the colour of undecided pixels.
   Painter(const View& view, const ResolvedAppearance& resolved,
     std::shared_ptr<ContourBounds> bounds = nullptr);
   Painter(const Painter&) = delete;
@@ -44,17 +44,17 @@ public:
   /// The pipeline points to members of this object.
   [[nodiscard]] Pipeline MakePipeline(const Drawn& drawn = {});
 
-  /// The classified pixels; null where there are no contours.
+  /// The classified pixels; null without contours.
   [[nodiscard]] const ContourCertifier* Contours() const
   {
     return Certifier ? &*Certifier : nullptr;
   }
   [[nodiscard]] const ContourLines* Lines() const { return lines_ ? &*lines_ : nullptr; }
-  /// The height of labels that are to be written on the frame; none: no labels.
+  /// The height of labels on the frame, in pixels; none: no labels.
   [[nodiscard]] const std::optional<int>& Labels() const { return labels_; }
-  /// The module that paints pixels whose colour is not proven; null where there is none.
+  /// The module that paints pixels whose colour is not proven; null if there is none.
   [[nodiscard]] const UndecidedColors* Undecided() const { return Unproven.get(); }
-  /// Pixels of the last frame that were smoothed.
+  /// Count of the last frame's pixels that were smoothed.
   [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
 private:
@@ -62,7 +62,7 @@ private:
     const View& view, const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds);
 
   std::optional<ColorMapping> Colors;
-  // Not optional, of which g++ 14 believes that it is reset before it holds anything.
+  // Not std::optional, for which g++ 14 reports a false use before initialisation.
   std::unique_ptr<Lighting> Lights;
   std::unique_ptr<UndecidedColors> Unproven;
   std::optional<Antialiasing> Smooth;

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double kAnyValue = -std::numeric_limits<double>::infinity();
 
-/// Calls `visit` with the finite values of exact pixels above `lowest` on these layers.
+/// Calls `visit` with the finite values above `lowest` of exact pixels on these layers.
 template <class Visit>
 void VisitValues(
   const Frame& frame, double lowest, const std::vector<bool>& layers, const Visit& visit)
@@ -38,7 +38,7 @@ void VisitValues(
   std::ranges::for_each(frame.centres.behind, add);
 }
 
-/// Between the two values whose ranks are nearest, by the part of the way.
+/// Interpolates linearly between the two values of the nearest ranks.
 double Percentile(std::vector<double>& values, double percent)
 {
   const double rank = percent / 100.0 * static_cast<double>(values.size() - 1);
@@ -49,7 +49,7 @@ double Percentile(std::vector<double>& values, double percent)
   return part > 0.0 ? std::lerp(*at, *std::min_element(at + 1, values.end()), part) : *at;
 }
 
-/// Of the values that the picture shows; none: there are none.
+/// The percentiles of the values that the picture shows; none if it shows none.
 ValueRange PercentileRange(const Frame& frame, double lowest, const std::vector<bool>& layers,
   const std::array<double, 2>& percents)
 {
@@ -82,7 +82,8 @@ std::vector<bool> GroupOf(const Appearance& appearance, std::size_t layer)
   return group;
 }
 
-/// A range of values as colours show it. Of several fields, the one whose values are rounded most.
+/// The range for colours. Of several fields, the one with the largest rounding determines the
+/// widening.
 std::array<double, 2> Shown(
   const Scene& scene, const std::vector<bool>& group, const std::array<double, 2>& range)
 {
@@ -94,7 +95,7 @@ std::array<double, 2> Shown(
   return shown;
 }
 
-/// What Resolve works with.
+/// The arguments of Resolve, and the steps that share them.
 struct Resolver
 {
   const Scene& scene;
@@ -120,7 +121,7 @@ struct Resolver
                                            : ValuesSeen(*frame, lowest, group);
   }
 
-  /// Of all fields of the group; none: none of them has a finite value.
+  /// The range of all fields of the group; none if no field has a finite value.
   [[nodiscard]] ValueRange RangeOfFields(const std::vector<bool>& group) const
   {
     ValueRange sum;
@@ -162,8 +163,8 @@ struct Resolver
     return rule.symmetric ? Symmetric(shown) : shown;
   }
 
-  /// The range of the layer's colours in its table, of those that the appearance asks for: a table
-  /// that cannot have the range keeps its own.
+  /// The range of the layer's colours in its table. A logarithmic table that cannot have `range`
+  /// uses its RangeOfNothing.
   [[nodiscard]] std::array<double, 2> TableRange(
     std::size_t layer, const std::array<double, 2>& range) const
   {
@@ -181,7 +182,7 @@ struct Resolver
                                 asked.table->IsLogarithmic());
   }
 
-  /// Of a layer with so many round contours.
+  /// The values of a layer with a number of round contours.
   [[nodiscard]] std::vector<double> RoundContours(
     std::size_t layer, const std::array<double, 2>& range) const
   {

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-// From the rules of an appearance to numbers: the ranges of colours, the values of contours.
+// Converts the rules of an appearance to numbers: ranges of colours, values of contours.
 namespace pixelexact
 {
 struct View;
 
 using ValueRange = std::optional<std::array<double, 2>>;
 
-/// The proven ranges of fields of a mesh (FieldRange), each found once.
+/// The proven ranges of a mesh's fields (FieldRange), each computed once.
 class FieldRanges
 {
 public:
@@ -34,37 +34,39 @@ private:
 /// A layer's colours and contours in numbers.
 struct ResolvedLayer
 {
-  ValueRange range; ///< of the table; none: it is not read
+  ValueRange range; ///< of the table; none: the table is not read
   ColorMap map;     ///< of the surface
-  /// In ascending order, each once.
+  /// In ascending order, without duplicates.
   std::vector<double> contours;
-  std::vector<Rgba> contourColors; ///< one for each, or one for all
+  std::vector<Rgba> contourColors; ///< one for each contour, or one for all
 };
 
 struct ResolvedAppearance
 {
   std::vector<ResolvedLayer> layers;
-  /// Whether a number of contours was asked for where a surface shows one value, up to rounding, so
-  /// that some were left out.
+  /// A number of contours was requested on a surface with one value up to rounding, so some
+  /// contours are omitted.
   bool ofOneValue = false;
 };
 
 /// The buffers of centres that Resolve reads.
 [[nodiscard]] Buffer NeedsOfRules(const View& view);
 
-/// `frame`: where a rule follows from its values; null: such ranges are those of no values, and
-/// numbers of contours are left out. `ofAll`: by layer, the values of RangeRule::Of::All; empty:
-/// they are the frame's. Where there are no finite values the range is the table's RangeOfNothing.
-/// Throws Error as FieldRange and ColorTable::Over, and for contours of a layer without a field.
+/// `frame`: for rules that depend on its values; null: such ranges are those of no values, and
+/// numbers of contours give no contours. `ofAll`: by layer, the values of RangeRule::Of::All;
+/// empty: the frame's values are used. Without finite values the range is the table's
+/// RangeOfNothing. Throws Error as FieldRange and ColorTable::Over, and for contours of a layer
+/// without a field.
 [[nodiscard]] ResolvedAppearance Resolve(const View& view, const Frame* frame, FieldRanges& fields,
   const std::vector<ValueRange>& ofAll = {}, const std::function<void(double)>& progress = {});
 
-/// The range of the finite values at the centres of exact pixels above `lowest` on these layers
-/// (empty: all), sheets behind others included; none: there are none.
+/// The range of the finite values above `lowest` at the centres of exact pixels on these layers
+/// (empty: all layers), including the sheets behind; none if there are no such values.
 [[nodiscard]] ValueRange ValuesSeen(
   const Frame& frame, double lowest, const std::vector<bool>& layers = {});
 [[nodiscard]] ValueRange ValuesSeen(const Frame& frame, std::size_t layer);
 
-/// The range that the values of a group of layers give, where there are any: as RangeRule::Of::Cut.
+/// The range of the visible values of the layer's group, as RangeRule::Of::Cut; none if there are
+/// none.
 [[nodiscard]] ValueRange RangeSeen(const View& view, const Frame& frame, std::size_t layer);
 } // namespace pixelexact

@@ -12,12 +12,12 @@ namespace pixelexact
 {
 namespace
 {
-/// Points that are evaluated together: so many fields' components and bounds fit into memory.
+/// Points that are evaluated together, limited by the memory of many-component fields and bounds.
 constexpr std::size_t kBlock = std::size_t{ 1 } << 16U;
-/// Of a task.
+/// Points of a task.
 constexpr std::size_t kChunk = 1024;
 
-/// The norm of so many numbers, or one of them.
+/// The norm of `components` numbers, or one of them.
 template <class Of>
 double Reduced(std::size_t components, int component, const Of& of)
 {
@@ -49,7 +49,7 @@ Interval ReducedBounds(std::size_t components, int component, const Of& of)
 }
 } // namespace
 
-/// Of one solution at some points, components point by point.
+/// Values of one solution at points; components are stored point by point.
 struct DifferencePixels::PointValues
 {
   std::vector<Verdict> verdict;
@@ -65,7 +65,7 @@ struct DifferencePixels::PointValues
   {
   }
 
-  /// At points that are to be located.
+  /// Locates the points in the solution's mesh and evaluates them.
   void Locate(const Solution& solution, std::span<const Vec3> points)
   {
     SampleTarget target;
@@ -98,7 +98,7 @@ bool DifferencePixels::IsFull() const
   return Places.size() >= kBlock;
 }
 
-/// Of the first solution, whose elements and xi are known.
+/// Evaluates the first solution, whose elements and xi are given by the hits.
 void DifferencePixels::EvaluateKnown(PointValues& found) const
 {
   const Solution& solution = Of.first;

@@ -9,17 +9,17 @@
 
 namespace pixelexact
 {
-/// Pixels whose fields are to be evaluated, both at once and many together.
+/// Collects pixels and evaluates both fields at many of them together.
 class DifferencePixels
 {
 public:
-  /// Both must outlive it. Positions, elements and xi are those of the result's frame; values,
-  /// bounds, sides and verdicts are written to it.
+  /// Both arguments must outlive the object. Reads positions, elements and xi of the result's
+  /// frame; writes values, bounds, sides and verdicts.
   DifferencePixels(const DifferenceScene& scene, FieldDifference& result);
 
   void Add(std::size_t pixel);
   [[nodiscard]] bool IsFull() const;
-  /// All that were added.
+  /// Evaluates all added pixels.
   void Evaluate();
 
 private:

@@ -30,7 +30,7 @@ void RequireComparable(const DifferenceScene& scene)
   }
 }
 
-/// Takes a pixel's entry from another frame of the same buffers.
+/// Copies a pixel's entries from another frame with the same buffers.
 void TakePixel(SampleBuffers& to, const SampleBuffers& from, std::size_t i)
 {
   ForEachBuffer(
@@ -51,7 +51,8 @@ Frame TraceSide(const DifferenceScene& scene, const Solution& solution, const Ca
   return Trace(one, camera, {}, { .centres = wanted }, progress);
 }
 
-/// The nearer hit of each pixel; at equal depth the first one's, which is then the same point.
+/// Takes the nearer hit of each pixel; at equal depth the first solution's, which is the same
+/// point.
 void TakeNearest(const Frame& second, FieldDifference& result)
 {
   SampleBuffers& centres = result.frame.centres;

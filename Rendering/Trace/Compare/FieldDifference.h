@@ -13,15 +13,15 @@
 
 namespace pixelexact
 {
-/// One of two solutions that are compared. What it points to must outlive its use.
+/// One of two compared solutions. Its objects must outlive its use.
 struct Solution
 {
   const Locator* locator = nullptr;
   const Field* field = nullptr;
 };
 
-/// Two solutions on a cut-surface. Where the surface is made of a mesh (Surface::IsOfMesh), it is
-/// the first one's, and what is seen is what that shows.
+/// Two solutions on a cut-surface. A surface that is made of a mesh (Surface::IsOfMesh) belongs to
+/// the first solution, whose hits are then shown.
 struct DifferenceScene
 {
   Solution first;
@@ -31,40 +31,41 @@ struct DifferenceScene
   std::vector<KeptHalfSpace> kept = {};
 };
 
-/// Which of the solutions have a value where a pixel sees the surface.
+/// Solutions that have a value at a pixel's point of the surface.
 enum class DifferenceSide : std::uint8_t
 {
-  Nothing = 0, ///< no surface, or both meshes proven not to be there
+  Nothing = 0, ///< no surface, or proven outside both meshes
   Both = 1,
-  Unknown = 2, ///< that of one of them, or whether the surface is there
-  First = 3,   ///< and the second one's mesh proven not to be there
+  Unknown = 2, ///< one value, or the surface's hit, is unknown
+  First = 3,   ///< proven outside the second one's mesh
   Second = 4
 };
 
-/// The first field less the second one's, pixel by pixel.
+/// The first field minus the second one, pixel by pixel.
 struct FieldDifference
 {
-  /// Centres hold value, bounds (where asked for), verdict, position, depth, xi and element, and
-  /// what else was asked for. Value: the difference, Exact where both have one. Bounds: proven to
-  /// hold the difference at the position, the errors of both inverse maps included; infinite where
-  /// nothing is proven. The rest is that of the solution whose hit is seen (`seen`). Verdict is
-  /// Nothing where only one has a value; position, xi and element are there all the same.
+  /// Centres hold value, bounds (if requested), verdict, position, depth, xi and element, and the
+  /// buffers `extra`. Value: the difference; Exact if both solutions have a value. Bounds: proven
+  /// to contain the difference at the position, including the errors of both inverse maps; infinite
+  /// if nothing is proven. Other buffers belong to the solution whose hit is shown (`seen`). The
+  /// verdict is Nothing if only one solution has a value; position, xi and element are written
+  /// nevertheless.
   Frame frame;
   std::vector<std::uint8_t> side; ///< DifferenceSide
-  std::vector<std::uint8_t> seen; ///< whose hit it is: 1, 2, or 0 for nothing
-  std::vector<double> first;      ///< values (components, norms); NaN where there is none
+  std::vector<std::uint8_t> seen; ///< solution whose hit is shown: 1, 2, or 0 for none
+  std::vector<double> first;      ///< values of the component or norm; NaN without a value
   std::vector<double> second;
 };
 
-/// Of each pixel the nearest point of the surface that lies in either mesh. Both fields are
-/// evaluated there, each by location in its own mesh; nothing is resampled. `extra`: buffers of
-/// centres beside those told above. `bounds`: with proven bounds, which take some ten times as long
-/// as values. Throws Error as Trace does, and where the fields have different numbers of components
-/// or there is no such component. An empty frame where `progress` aborted it.
+/// Evaluates both fields at each pixel's nearest point of the surface that lies in either mesh,
+/// each by location in its own mesh; nothing is resampled. `extra`: buffers of centres in addition
+/// to those named above. `bounds`: with proven bounds, which take about ten times as long as
+/// values. Throws Error as Trace does, and if the fields have different numbers of components or
+/// lack the component. Returns an empty frame if `progress` aborted it.
 [[nodiscard]] FieldDifference TraceDifference(const DifferenceScene& scene, const Camera& camera,
   Buffer extra = Buffer::None, bool bounds = true, const Progress& progress = {});
 
-/// What a difference amounts to. Counts are pixels; means are over those with a finite difference.
+/// Statistics of a difference. Counts are pixels; means are over pixels with a finite difference.
 struct DifferenceNumbers
 {
   std::int64_t both = 0;
@@ -78,15 +79,15 @@ struct DifferenceNumbers
   Vec3 largestAt{ 0.0 };
   double mean = 0.0;           ///< of absolute values
   double rootMeanSquare = 0.0; ///< L2 over the pixels
-  /// The same of the first one's values at these pixels, for relative numbers.
+  /// Root mean square of the first solution's values at these pixels, for relative numbers.
   double firstRootMeanSquare = 0.0;
 
-  // With bounds:
+  // Only with bounds:
   bool bounded = false;
   std::int64_t unbounded = 0; ///< of both: nothing is proven
-  /// Of the finite ones: how far any computed difference may be from the true one.
+  /// Largest distance of a computed difference from the true one, over finite bounds.
   double largestBound = 0.0;
-  /// Proven to hold the largest true difference at the pixels' points, absolute.
+  /// Proven to contain the largest true difference at the pixels' points, absolute.
   Interval largestTrue;
   std::int64_t provenApart = 0; ///< pixels whose difference is proven not to be 0
 };

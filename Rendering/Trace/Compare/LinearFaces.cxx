@@ -19,7 +19,7 @@ std::size_t TrianglesOf(const ReferenceFace& face, int parts)
   return face.corners == 4 ? 2 * squares : squares;
 }
 
-/// Of a face: corners of triangles, as numbers of lattice points, and these points.
+/// The lattice points of a face, and the triangles' corners as numbers of these points.
 struct FaceLattice
 {
   FaceLattice(const ReferenceFace& face, int parts)

@@ -9,14 +9,14 @@
 
 namespace pixelexact
 {
-/// How many triangles TrianglesOfFaces makes.
+/// Count of the triangles of TrianglesOfFaces.
 [[nodiscard]] std::size_t CountTriangles(
   const Mesh& mesh, std::span<const ElementFace> faces, int parts);
 
-/// Faces of elements as triangles with values at their corners, what cutting elements into linear
-/// cells leaves of them: each edge in `parts` parts, at least 1; quadrilaterals become 2 parts^2
-/// triangles, triangles parts^2. Corners and values are exact, up to rounding, of `component`, or
-/// kMagnitude. Parallel.
+/// Triangulates faces of elements, with values at corners, as cutting elements into linear cells
+/// does. Each edge is divided into `parts` parts, at least 1; quadrilaterals become 2 parts^2
+/// triangles, triangles parts^2. Corners and values of `component`, or kMagnitude, are exact up to
+/// rounding. Parallel.
 [[nodiscard]] LinearSurface TrianglesOfFaces(const Mesh& mesh, const Field& field, int component,
   std::span<const ElementFace> faces, int parts);
 } // namespace pixelexact

@@ -12,11 +12,12 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kSome = 128;
-/// Rows between two calls of the progress.
+/// Rays that are cast together.
+constexpr int kBatch = 128;
+/// Rows between two calls of the progress function.
 constexpr int kRows = 64;
 
-using Row = std::array<double, kSome>;
+using Row = std::array<double, kBatch>;
 } // namespace
 
 LinearSurface::LinearSurface(
@@ -42,12 +43,12 @@ void LinearSurface::TraceRow(
   nearest.fill(kNearest);
   farthest.fill(kFarthest);
   HitSlots hits;
-  for (std::size_t begin = 0; begin < values.size(); begin += kSome)
+  for (std::size_t begin = 0; begin < values.size(); begin += kBatch)
   {
-    const int count = static_cast<int>(std::min<std::size_t>(kSome, values.size() - begin));
-    for (int i = 0; i < kSome; ++i)
+    const int count = static_cast<int>(std::min<std::size_t>(kBatch, values.size() - begin));
+    for (int i = 0; i < kBatch; ++i)
     {
-      // Beyond the end of a row the last one again.
+      // Positions after the end of a row repeat the last one.
       u[static_cast<std::size_t>(i)] =
         camera.U(static_cast<double>(begin) + std::min(i, count - 1) + offset);
     }

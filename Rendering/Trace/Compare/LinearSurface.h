@@ -12,19 +12,19 @@
 
 namespace pixelexact
 {
-/// Triangles with a value at each corner, and linear in between: what linear pipelines hand to a
+/// Triangles with a value at each corner, linear in between, as linear pipelines pass them to a
 /// rasteriser.
 class LinearSurface
 {
 public:
-  /// As many triples of values as triangles; none at all is a surface that no ray meets. Throws
-  /// Error as Triangles.
+  /// `values`: one triple per triangle. Without triangles, no ray meets the surface. Throws Error
+  /// as Triangles.
   LinearSurface(
     std::vector<Triangles::Triangle> triangles, std::vector<std::array<double, 3>> values);
 
-  /// The value where each ray meets the surface first; NaN where it does not. Parallel; each is
-  /// that of its ray alone. `corner`: samples at pixels' corners, (width + 1) x (height + 1), else
-  /// at their centres; lower-left first. What `progress` aborts is empty.
+  /// The value where each ray first meets the surface; NaN without a hit. Parallel; each value
+  /// depends on its ray alone. `corners`: samples lie at pixels' corners, (width + 1) x (height +
+  /// 1), else at their centres; lower-left first. Returns an empty array if `progress` aborts.
   [[nodiscard]] std::vector<double> Trace(
     const Camera& camera, bool corners, const Progress& progress = {}) const;
 

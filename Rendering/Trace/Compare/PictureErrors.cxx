@@ -13,7 +13,8 @@ namespace pixelexact
 namespace
 {
 
-/// Of every place p the least of (p - q)^2 + values[q]: parabolas' lower envelope. `stride` apart.
+/// For each place p, the least of (p - q)^2 + values[q]: the lower envelope of parabolas. Values
+/// are `stride` apart.
 class Envelope
 {
 public:
@@ -112,7 +113,7 @@ int BinOf(double value, const ErrorMeasure& measure)
     static_cast<int>(std::floor(std::clamp(part, 0.0, 1.0) * measure.bins)), 0, measure.bins - 1);
 }
 
-/// The value that this part of them does not exceed.
+/// The value that this share of `values` does not exceed.
 double Quantile(std::vector<double>& values, double share)
 {
   if (values.empty())
