@@ -27,7 +27,7 @@ std::string Formatted(double value, int digits)
   return text.data();
 }
 
-/// visit(x, y, pixel) for the pixels of the frame in a rectangle.
+/// Calls visit(x, y, pixel) for the frame's pixels in a rectangle.
 template <class Visit>
 void ForEachPixel(const Frame& frame, const std::array<int, 4>& box, const Visit& visit)
 {
@@ -42,13 +42,13 @@ void ForEachPixel(const Frame& frame, const std::array<int, 4>& box, const Visit
   }
 }
 
-/// Takes the lines away where the text goes.
+/// Removes the lines beneath a label's text.
 void OpenGap(Frame& frame, const ContourLabel& label, const std::vector<std::uint8_t>& beneath)
 {
   constexpr double kGap = ContourLabel::kGap;
   const double angle = label.angle * std::numbers::pi / 180.0;
   const glm::dvec2 along(std::cos(angle), std::sin(angle));
-  // Not a binding: clang 14 takes those into no lambda.
+  // Not a structured binding, which clang 14 cannot capture in a lambda.
   const double width = label.size.width;
   const double height = label.size.height;
   const int reach = static_cast<int>(std::ceil(0.5 * std::hypot(width, height) + kGap));

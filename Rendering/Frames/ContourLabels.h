@@ -14,7 +14,7 @@ namespace pixelexact
 {
 class Painter;
 
-/// Height of labels' font in pixels.
+/// Limits of the labels' font size, in pixels.
 struct LabelFont
 {
   static constexpr int kSmallest = 6;
@@ -22,39 +22,40 @@ struct LabelFont
   static constexpr int kDefault = 12;
 };
 
-/// Throws Error for a size out of LabelFont's limits.
+/// Throws Error for a size outside LabelFont's limits.
 void RequireLabelSize(int size);
 
-/// The values as texts, in as few digits, from 3, as tell them apart.
+/// The values as texts, with the fewest digits, at least 3, that distinguish them.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<std::string> LabelTexts(
   const std::vector<double>& values);
 
-/// A value beside its contour, in the image's pixels.
+/// The label of a contour, in the image's pixels.
 struct ContourLabel
 {
   std::string text;
-  double x = 0.0; ///< of its middle
+  double x = 0.0; ///< of the text's centre
   double y = 0.0;
-  double angle = 0.0; ///< anticlockwise from across, -90 to 90 degrees
-  TextSize size{};    ///< of the text, unturned
+  double angle = 0.0; ///< anticlockwise from horizontal, -90 to 90 degrees
+  TextSize size{};    ///< of the text before rotation
   Rgba color{};
 
-  /// Between a line that comes near and the text, in pixels.
+  /// Gap between the text and the contour's line, in pixels.
   static constexpr double kGap = 2.0;
 };
 
-/// The labels of DrawContourLabels. Throws as it does.
+/// The labels of DrawContourLabels. Throws Error as it does.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<ContourLabel> PlaceContourLabels(
   const Frame& frame, const Camera& camera, const ContourCertifier& contours,
   const ContourLines& lines, int size, const FontChoice& font = {});
 
-/// Writes values along the contours that a frame's image shows (PlaceLabels), in their colours, in
-/// gaps of the lines: these must keep what is beneath them. Returns how many. Throws Error for a
-/// size out of LabelFont's limits, and where no text can be made.
+/// Writes values along the contours of a frame's image (PlaceLabels), in the contours' colours and
+/// in gaps of the lines. The lines must keep the image beneath them (ContourStyle::keepBeneath).
+/// Returns the count of labels. Throws Error for a size outside LabelFont's limits, and if FreeType
+/// fails.
 PIXELEXACTRENDERING_EXPORT int DrawContourLabels(Frame& frame, const Camera& camera,
   const ContourCertifier& contours, const ContourLines& lines, int size,
   const FontChoice& font = {});
 
-/// The labels of a painter that has some, as a Renderer draws them.
+/// Draws the labels of a painter that requests them, as a Renderer does.
 void DrawLabelsOf(Frame& frame, const Camera& camera, const Painter& painter);
 } // namespace pixelexact

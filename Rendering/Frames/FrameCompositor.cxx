@@ -28,9 +28,9 @@ namespace pixelexact
 {
 namespace
 {
-// The tags are VTK's: its passes replace them. They expect straight alpha; without a pass the
-// colour is multiplied by its alpha here.
-// texCoord is not needed, but VTK complains about a quad whose shader does not use it.
+// The tags are VTK's, and its passes replace them. Passes expect straight alpha; without a pass,
+// the colour is multiplied by its alpha here. texCoord is not needed, but VTK warns about a quad
+// whose shader does not use it.
 constexpr const char* kFragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 //VTK::DepthPeeling::Dec
@@ -41,7 +41,7 @@ uniform ivec2 frameOrigin;
 uniform int frameStep;
 uniform float frameOpacity;
 uniform vec2 frameOffset;
-// Of the two differences to neighbours the lesser: the other may lead over an edge.
+// The smaller of the differences to both neighbours; the larger one may cross an edge.
 float frameSlope(ivec2 pixel, ivec2 along, float depth)
 {
   ivec2 last = textureSize(frameDepths, 0) - 1;
@@ -117,7 +117,7 @@ void WindowDepth(const SampleBuffers& samples, const DepthRows& rows, std::vecto
       {
         const Vec3& x = samples.position[i];
         const double z = 0.5 + 0.5 * (Dot(rows.z, x) / Dot(rows.w, x));
-        // Written so that the NaN of a pixel that shows nothing has no depth.
+        // The comparison gives kNoDepth for the NaN of a pixel that shows nothing.
         depth[i] = z <= 1.0 ? static_cast<float>(std::max(z, 0.0)) : kNoDepth;
       }
     });
@@ -155,7 +155,7 @@ FrameCompositor::Textures& FrameCompositor::Upload(const Pixels& pixels)
     Sheets.emplace_back();
   }
   Textures& held = Sheets[static_cast<std::size_t>(pixels.sheet)];
-  // VTK takes pointers to non-const but only reads.
+  // VTK takes pointers to non-const data but only reads them.
   if (held.colorsVersion != pixels.colorsVersion)
   {
     held.colors->SetContext(Window);
@@ -176,7 +176,7 @@ FrameCompositor::Textures& FrameCompositor::Upload(const Pixels& pixels)
 vtkOpenGLQuadHelper* FrameCompositor::Quad(vtkActor* actor, vtkMapper* mapper)
 {
   std::string source = kFragmentShader;
-  // Vertex and geometry shaders are the quad's own; passes that sort fragments leave them alone.
+  // Vertex and geometry shaders are the quad's own; sorting passes do not change them.
   std::string vertex;
   std::string geometry;
   ForEachPass(actor,
@@ -185,7 +185,7 @@ vtkOpenGLQuadHelper* FrameCompositor::Quad(vtkActor* actor, vtkMapper* mapper)
       pass->PreReplaceShaderValues(vertex, geometry, source, mapper, actor);
       pass->PostReplaceShaderValues(vertex, geometry, source, mapper, actor);
     });
-  // Passes compare the depth of the fragment, which is the quad's and not ours.
+  // Passes compare the fragment's depth, which must be the frame's, not the quad's.
   ReplaceAll(source, "gl_FragCoord.z", "frameDepth");
   ReplaceAll(source, kTag, kPremultiply);
 
@@ -268,7 +268,7 @@ void FrameCompositor::ReleaseGraphicsResources(vtkWindow* window)
   {
     return;
   }
-  // Another window's context may be the current one.
+  // Another window's context may be current.
   Window->PushContext();
   Quads.clear();
   for (Textures& held : Sheets)

@@ -25,7 +25,7 @@ class vtkWindow;
 
 namespace pixelexact
 {
-/// The two rows of a projection matrix that make a depth: z and w of a point (x, 1).
+/// The two rows of a projection matrix that give a depth: z and w of a point (x, 1).
 struct DepthRows
 {
   std::array<double, 4> z{};
@@ -34,37 +34,37 @@ struct DepthRows
   bool operator==(const DepthRows&) const = default;
 };
 
-/// Window depth of each pixel, in [0, 1], from its position; kNoDepth where there is none or the
-/// point lies beyond the far plane. Points before the near plane by rounding come to lie on it.
+/// Window depth of each pixel, in [0, 1], from its position; kNoDepth for pixels without a position
+/// or beyond the far plane. Points that are before the near plane by rounding get its depth.
 void WindowDepth(const SampleBuffers& samples, const DepthRows& rows, std::vector<float>& depth);
 inline constexpr float kNoDepth = 2.0F;
 
-/// By how much depths are moved, as VTK's mappers move those of coincident polygons: factor times
-/// the surface's slope, in depth per pixel, and so many units.
+/// Offset of depths, as VTK's mappers offset those of coincident polygons: factor times the
+/// surface's slope (depth per pixel), plus units.
 struct DepthOffset
 {
   double factor = 0.0;
   double units = 0.0;
 };
 
-/// What is drawn. Versions are at least 0 and change with the arrays' contents.
+/// The pixels to draw. Versions are at least 0 and change with the arrays' contents.
 struct Pixels
 {
   const std::vector<std::uint8_t>& rgba; ///< straight alpha
   const std::vector<float>& depths;
-  int sheet = 0; ///< whose textures hold them from call to call
+  int sheet = 0; ///< number of the textures that keep the pixels between calls
   int width = 0;
   int height = 0;
-  int step = 1; ///< each is drawn as a block of step x step pixels
+  int step = 1; ///< each pixel is drawn as a block of step x step pixels
   double opacity = 1.0;
   DepthOffset offset;
   std::int64_t colorsVersion = 0;
   std::int64_t depthsVersion = 0;
 };
 
-/// Puts pixels and their depths into the framebuffer beside what OpenGL draws there, so that either
-/// hides the other by depth, to the pixel. One texel is one pixel: no filtering, whatever the
-/// viewport, the number of samples or the pass that binds the framebuffer.
+/// Draws pixels with their depths into the framebuffer of OpenGL's geometry, so that the depth test
+/// resolves visibility per pixel. One texel is one pixel: nothing is filtered, for any viewport,
+/// number of samples or render pass.
 class FrameCompositor
 {
 public:
@@ -73,21 +73,21 @@ public:
   FrameCompositor(const FrameCompositor&) = delete;
   FrameCompositor& operator=(const FrameCompositor&) = delete;
 
-  /// The viewport that OpenGL draws into: x, y, width, height. Not the renderer's where a pass
-  /// renders to a framebuffer of its own (vtkSSAAPass).
+  /// The viewport that OpenGL draws into: x, y, width, height. It differs from the renderer's if a
+  /// pass renders to a framebuffer of its own (vtkSSAAPass).
   static std::array<int, 4> Viewport(vtkRenderer* renderer);
 
   /// Draws into the renderer's current framebuffer and viewport, which must have the size of the
-  /// pixels' blocks; those at the right and upper edge may be cut off.
-  /// With an actor in its translucent phase the colours go to whatever pass sorts them there
-  /// (order-independent translucency, depth peeling).
+  /// pixels' blocks; blocks at the right and upper edge may be cut off. In an actor's translucent
+  /// phase, the colours go to the pass that sorts them (order-independent translucency, depth
+  /// peeling).
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, const Pixels& pixels);
 
-  /// What is held for this window; null: for any.
+  /// Releases the textures and shaders of this window; null: of any window.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// What the graphics card holds of a sheet.
+  /// The textures of a sheet.
   struct Textures
   {
     vtkNew<vtkTextureObject> colors;
@@ -99,10 +99,10 @@ private:
   Textures& Upload(const Pixels& pixels);
 
   std::deque<Textures> Sheets;
-  // By fragment shader: passes have their say in it.
+  // Keyed by fragment shader, because render passes modify it.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< whose context holds the textures
-  // Weak pointers are null when a window's destructor has its resources released.
+  // A weak pointer is null when a window's destructor releases its resources.
   vtkNew<vtkCallbackCommand> BeforeDelete;
   unsigned long Observer = 0; ///< the window's
 };

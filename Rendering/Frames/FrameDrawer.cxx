@@ -31,7 +31,7 @@ DepthOffset OffsetOf(vtkMapper* mapper)
       mapper->GetCoincidentTopologyPolygonOffsetParameters(offset.factor, offset.units);
       break;
     case VTK_RESOLVE_SHIFT_ZBUFFER:
-      // As VTK's own mappers make do.
+      // Approximates the shift by an offset, as VTK's own mappers do.
       offset.factor = 4.0 * vtkMapper::GetResolveCoincidentTopologyZShift();
       break;
     default:
@@ -100,7 +100,7 @@ void FrameDrawer::Draw(View view, RenderWork work, FramePart part, vtkRenderer* 
   }
   if (part != FramePart::Opaque)
   {
-    // Back to front.
+    // Sheets are drawn from back to front.
     for (std::size_t k = kept.seenThrough.size(); k > 0; --k)
     {
       draw(kept.seenThrough[k - 1], static_cast<int>(k));

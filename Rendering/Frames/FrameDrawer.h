@@ -19,7 +19,7 @@ class vtkWindow;
 
 namespace pixelexact
 {
-/// What of a frame is drawn: what hides all behind it, what is seen through, or both.
+/// The part of a frame to draw: pixels that hide all behind them, translucent ones, or both.
 enum class FramePart
 {
   Opaque,
@@ -27,37 +27,36 @@ enum class FramePart
   All
 };
 
-/// Frames into renderers, for one mapper. Keeps the model of its grid, its cut-surfaces and a frame
-/// for each view.
+/// Draws frames into renderers, for one mapper. Keeps the model of its grid, its cut-surfaces and a
+/// frame for each view.
 class FrameDrawer
 {
 public:
-  /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error.
+  /// The current model of a vtkUnstructuredGrid, or of a composite data set of these. Throws Error.
   const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
 
-  /// The cut-surfaces, for views of that model.
+  /// The cut-surfaces of that model's views.
   SurfaceCache& Surfaces() { return surfaces_; }
 
-  /// Draws a part of a view of the model, seen through the renderer's camera and placed by the
-  /// actor. This completes the view: viewport, camera and lights from the renderer, matrix from the
-  /// actor, clipping planes and depth offset from the mapper. The actor's opacity is applied. A
-  /// camera that the actor is seen through for the first time gets a complete frame, whatever the
-  /// time limit. Throws Error, after which there is no frame.
+  /// Draws a part of a view of the model, through the renderer's camera and at the actor's place.
+  /// Completes the view: viewport, camera and lights from the renderer, matrix from the actor,
+  /// clipping planes and depth offset from the mapper. Applies the actor's opacity. The first frame
+  /// for a camera is complete, without a time limit. Throws Error, after which there is no frame.
   void Draw(View view, RenderWork work, FramePart part, vtkRenderer* renderer, vtkActor* actor,
     vtkMapper* mapper, const Progress& progress);
 
-  /// Draws what the present pass of the renderer's selector wants of the pixels that Draw shows
-  /// (SelectionImage.h), complete in any case. Throws as Draw.
+  /// Draws the colours of the renderer's current selection pass (SelectionImage.h) for the pixels
+  /// that Draw shows. The frame is always complete. Throws Error as Draw.
   void Select(View view, RenderWork work, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
     const Progress& progress);
 
   /// The ranges of the model's fields.
   [[nodiscard]] const std::shared_ptr<FieldRanges>& Ranges() const { return ranges_; }
 
-  /// There is nothing to be seen in this view.
+  /// Discards the frame of a view that shows nothing.
   void DropFrame(vtkRenderer* renderer, vtkActor* actor);
 
-  /// What is new of this (ViewFrames::Complain).
+  /// Returns the complaints that are new (ViewFrames::Complain).
   std::vector<std::string> Complain(
     vtkRenderer* renderer, vtkActor* actor, std::vector<std::string> complaints)
   {
@@ -66,9 +65,9 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window) { Views.ReleaseGraphicsResources(window); }
 
-  /// Of the view that was drawn last; null before the first one.
+  /// The renderer of the last drawn view; null before the first one.
   [[nodiscard]] Renderer* LastRenderer() { return Views.Last(); }
-  /// The model that it shows; null before the first one.
+  /// The model of the last drawn view; null before the first one.
   [[nodiscard]] const HighOrderModel* LastModel() const { return Views.LastModel(); }
   /// The model of the last call of ModelOf.
   [[nodiscard]] const std::shared_ptr<HighOrderModel>& LatestModel() const { return Model.Last(); }
@@ -80,7 +79,7 @@ private:
     View& view, RenderWork& work, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
   GridModel Model;
-  bool HasGhosts = false; ///< the model
+  bool HasGhosts = false; ///< the model has elements of other processes
   SurfaceCache surfaces_;
   std::shared_ptr<FieldRanges> ranges_ = std::make_shared<FieldRanges>(); ///< of the model
   ViewFrames Views;

@@ -50,7 +50,7 @@ auto* AddArray(vtkImageData* image, const char* name, int components, std::size_
   return array->GetPointer(0);
 }
 
-/// The VTK array that holds a buffer's numbers.
+/// The VTK array type that stores a buffer's numbers.
 template <class T>
 struct ArrayFor;
 template <>

@@ -16,26 +16,25 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// A frame of the model as ToImageData makes it, and the verdicts on its contours.
+/// A frame of the model as an image (ToImageData below), with the verdicts on its contours.
 [[nodiscard]] vtkSmartPointer<vtkImageData> ToImageData(
   const Renderer& frames, const HighOrderModel& model, const Frame& frame);
 
-/// The view's complete frame; `allBuffers`: with all buffers. Null where it was aborted. Throws
-/// Error.
+/// The view's complete frame as an image; `allBuffers`: with all buffers. Null if it was aborted.
+/// Throws Error.
 [[nodiscard]] vtkSmartPointer<vtkImageData> TracePicture(Renderer& frames, const View& view,
   const RenderWork& work, const HighOrderModel& model, bool allBuffers, const Progress& progress);
 
 /// The buffers of a frame (BufferTable.h) and its image as point arrays of an image, one point per
-/// pixel, lower left first. Buffers that the frame does not hold have no array; of what is seen
-/// through translucent layers only the image tells.
-/// `sourceCells` translates the mesh's element numbers into what users know; empty: they stay.
-/// With `blocks`, of composite data, there is an array Block beside Element: the flat index, -1
-/// where there is no element.
+/// pixel, lower left first. Buffers that the frame does not hold have no array. Only the image
+/// includes what translucent layers show. `sourceCells`: source cells of the mesh's elements;
+/// empty: element numbers are kept. `blocks`: of composite data; adds an array Block of flat
+/// indices beside Element, -1 without an element.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkImageData> ToImageData(
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const HighOrderModel::Block> blocks = {});
 
-/// Adds the array Contour, a ContourVerdict for each pixel; none: there is none.
+/// Adds the array Contour, a ContourVerdict for each pixel; not if `verdicts` is empty.
 PIXELEXACTRENDERING_EXPORT void AddContours(
   vtkImageData& image, std::span<const std::uint8_t> verdicts);
 } // namespace pixelexact

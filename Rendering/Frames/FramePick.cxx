@@ -19,10 +19,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Of samples beside a layer that has no field.
+/// Value of samples on a layer without a field.
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// An image of one pixel, through whose centre the ray goes.
+/// An image of one pixel, with the ray through its centre.
 CameraSetup CameraAlong(const Vec3& start, const Vec3& end)
 {
   const Vec3 along = end - start;
@@ -36,7 +36,7 @@ CameraSetup CameraAlong(const Vec3& start, const Vec3& end)
   return { .rays = view, .width = 1, .height = 1 };
 }
 
-/// Completes the view for the ray and returns where its sample lies in the image.
+/// Completes the view for the ray and returns its sample's position in the image.
 ImagePosition Aim(const PickRay& ray, vtkMapper* mapper, View& view)
 {
   if (!ray.pixel)

@@ -5,18 +5,18 @@
 
 #include <vector>
 
-// Elements that another process holds, too (HighOrderModel::IsGhost): they are there for what is
-// beside them, edges and contours that end at a pixel's corner; whoever holds them draws them.
+// Elements that another process also holds (HighOrderModel::IsGhost). They support their
+// neighbours' edges and contours at pixels' corners; the owning process draws them.
 namespace pixelexact
 {
 class HighOrderModel;
 
-/// Whether the model has some. Not of composite data: where another block has the same element, the
-/// copy may be the one that is found.
+/// The model has ghost elements. False for composite data: if another block contains the same
+/// element, location may find the copy.
 [[nodiscard]] bool HasGhosts(const HighOrderModel& model);
 
-/// Of a model that has some: takes the depths away from samples in such elements, so that they are
-/// not drawn; the samples must hold Buffer::Element.
+/// For a model with ghost elements: removes the depths of samples in them, so that they are not
+/// drawn. The samples must hold Buffer::Element.
 void HideGhosts(
   const SampleBuffers& samples, const HighOrderModel& model, std::vector<float>& depths);
 } // namespace pixelexact

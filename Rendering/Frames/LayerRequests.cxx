@@ -16,25 +16,25 @@ namespace pixelexact
 {
 namespace
 {
-/// Null where the model has no fields and the layer asks for none.
+/// Null if the model has no fields and the layer requests none.
 const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 {
   const bool none = layer.table == nullptr && layer.field == FieldChoice{};
   return none && model.Fields().empty() ? nullptr : &layer.field.In(model);
 }
 
-/// The component that the layer shows of its field: its own, else the table's choice.
+/// The component of the field that the layer shows: its own, or else the table's.
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
   const bool solid = layer.table == nullptr && layer.appearance.contours.Any();
   const int component = layer.component.value_or(
     pixelexact::ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
   RequireComponent(field, component);
-  // A scalar has no other.
+  // A scalar field has only component 0.
   return component == kMagnitude && field.values.components == 1 ? 0 : component;
 }
 
-/// The first layer with the same table: one table has one range.
+/// The first layer with the same table, because one table has one range.
 std::size_t RangeGroupOf(const LayerAppearance& layer, const std::vector<LayerAppearance>& before)
 {
   const auto isSame = [&layer](const LayerAppearance& other)
@@ -48,7 +48,7 @@ std::size_t RangeGroupOf(const LayerAppearance& layer, const std::vector<LayerAp
 
 vtkScalarsToColors* TableOf(const LayerRequest& layer)
 {
-  // By their colours, or by their values where these follow from the table's range.
+  // Contours use the table for their colours, or for values that depend on its range.
   const ContourRule& contours = layer.appearance.contours;
   const bool byTable = contours.count > 0 || (contours.Any() && contours.colors.empty());
   return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
@@ -106,7 +106,7 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   if (field != nullptr && field[0] != '\0')
   {
     request.field = { .name = field };
-    // The mapper's is of its own field.
+    // The mapper's component belongs to its own field.
     request.component.reset();
   }
   if (layer->GetComponent() != vtkHighOrderLayer::BY_LOOKUP_TABLE)
@@ -150,7 +150,7 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   }
   else if (request.appearance.material)
   {
-    // The actor's colour is not the layer's.
+    // The actor's colour does not apply to the layer.
     request.appearance.material->ambientColor.reset();
   }
   return request;
@@ -172,7 +172,7 @@ bool IsOpaque(vtkMapper* mapper, vtkHighOrderLayer* layer)
   {
     return true;
   }
-  // Before that it does not know.
+  // IsOpaque is undefined before Build.
   table->Build();
   return table->IsOpaque() != 0;
 }

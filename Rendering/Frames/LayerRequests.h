@@ -13,39 +13,42 @@ class vtkMapper;
 class vtkProperty;
 class vtkScalarsToColors;
 
-// From the settings of a mapper, its actor and its layers to the layers of a view.
+// Converts the settings of a mapper, its actor and its layers to the layers of a view.
 namespace pixelexact
 {
 class HighOrderModel;
 
-/// A cut-surface and how it is drawn, by the settings of VTK's objects.
+/// A cut-surface and its appearance, from the settings of VTK's objects.
 struct LayerRequest
 {
-  std::shared_ptr<const Surface> surface; ///< another object where it is another surface
+  std::shared_ptr<const Surface> surface; ///< a different object for a different surface
   FieldChoice field;
-  std::optional<int> component; ///< or kMagnitude; none: the table's choice
+  std::optional<int> component; ///< or kMagnitude; none: the table's component
   Precision precision = Precision::Double;
-  /// Colours the surface; null: it has the appearance's solid colour.
+  /// Colours the surface; null: the surface has the appearance's solid colour.
   vtkScalarsToColors* table = nullptr;
-  /// Gives contours on a surface of one colour their component and, where they have none, colours.
+  /// Determines the component of contours on a surface of one colour and, if they have none, their
+  /// colours.
   vtkScalarsToColors* contourTable = nullptr;
-  LayerAppearance appearance; ///< its colour table and range group follow from these tables
-  bool litWhereFlat = false;  ///< whether a flat surface has the appearance's material
+  LayerAppearance appearance; ///< AddLayer sets its colour table and range group from these tables
+  bool litWhereFlat = false;  ///< a flat surface is lit with the appearance's material
 };
 
 /// The table that colours the layer, or else its contours; null: none.
 [[nodiscard]] vtkScalarsToColors* TableOf(const LayerRequest& layer);
 
-/// Adds the layer to a view of the model. Throws Error where the model lacks its field or the field
-/// its component.
+/// Adds the layer to a view of the model. Throws Error if the model lacks the field, or the field
+/// lacks the component.
 void AddLayer(const LayerRequest& layer, const HighOrderModel& model, View& view);
 
-/// The settings of mapper and property for all surfaces; the surface itself is left open.
+/// The settings of mapper and property for all surfaces, without a surface.
 [[nodiscard]] LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property);
 
-/// A layer: what it does not say itself is as `ofAll`. Its surface is left open, too.
+/// A layer's settings, without its surface. Settings that the layer does not have come from
+/// `ofAll`.
 [[nodiscard]] LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll);
 
-/// Whether a layer of the mapper hides all that is behind it; null: one without a look of its own.
+/// A layer of the mapper hides everything behind it. `layer` null: a surface without settings of
+/// its own.
 [[nodiscard]] bool IsOpaque(vtkMapper* mapper, vtkHighOrderLayer* layer);
 } // namespace pixelexact

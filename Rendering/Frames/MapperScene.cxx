@@ -95,7 +95,7 @@ std::vector<LayerRequest> MapperScene::MakeLayers(vtkHighOrderSceneMapper* mappe
       const bool hasOwn = layer->GetContourCount() > 0 || layer->GetNumberOfContours() > 0;
       if (hasOwn && !mapper->GetContourScalarVisibility())
       {
-        // Colours of single contours are of the mapper's.
+        // Contours without colours of their own get the mapper's contour colour.
         own.appearance.contours.colors = { ToRgba(mapper->GetContourColor()) };
       }
       own.surface = SurfaceOf(mapper, sources.back(), model, surfaces);

@@ -16,7 +16,7 @@ class vtkImplicitFunction;
 
 namespace pixelexact
 {
-/// What a mapper cuts with.
+/// The cut functions, surface and layers of a mapper.
 struct MapperScene
 {
   std::vector<vtkSmartPointer<vtkImplicitFunction>> cuts;
@@ -24,14 +24,14 @@ struct MapperScene
   std::vector<vtkSmartPointer<vtkHighOrderLayer>> layers;
 
   [[nodiscard]] bool IsEmpty() const;
-  /// Whether there is something opaque to draw, or something that is not. Nothing at all is opaque:
-  /// somebody has to say what is missing.
+  /// There is an opaque object to draw or, with `opaque` false, a translucent one. An empty scene
+  /// counts as opaque, so that its error is reported.
   [[nodiscard]] bool Has(vtkHighOrderSceneMapper* mapper, bool opaque) const;
-  /// The last change of anything in it.
+  /// The last modification of any of the objects.
   [[nodiscard]] vtkMTimeType GetMTime() const;
 
-  /// Cut functions and surface, which are drawn as `ofAll`, and visible layers, which have settings
-  /// of their own. Throws Error.
+  /// The layers for cut functions and surface, which have the settings `ofAll`, and for visible
+  /// layers, which have their own settings. Throws Error.
   [[nodiscard]] std::vector<LayerRequest> MakeLayers(vtkHighOrderSceneMapper* mapper,
     const LayerRequest& ofAll, const std::shared_ptr<HighOrderModel>& model,
     SurfaceCache& surfaces) const;

@@ -50,7 +50,7 @@ SelectionPass PassOf(vtkHardwareSelector* selector, const HighOrderModel& model)
         pass.shows = SelectionPass::Shows::Block;
         break;
       }
-      // The number that VTK's mappers give to data of one block.
+      // The index that VTK's mappers report for data of one block.
       selector->RenderCompositeIndex(1);
       [[fallthrough]];
     case vtkHardwareSelector::ACTOR_PASS:

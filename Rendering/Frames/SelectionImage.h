@@ -11,37 +11,38 @@
 
 class vtkHardwareSelector;
 
-// What hardware selection sees of a frame: numbers in the place of colours.
+// A frame as hardware selection needs it: numbers in place of colours.
 namespace pixelexact
 {
-/// The colour of `pass`, one of vtkHardwareSelector's, for a cell.
+/// The colours of one pass of vtkHardwareSelector.
 struct SelectionPass
 {
   enum class Shows
   {
-    Nothing, ///< the pass is of points, and there are none
+    Nothing, ///< a pass for points, which frames do not have
     Prop,    ///< one colour for all pixels
-    Block,   ///< of composite data: the flat index of the cell's block
+    Block,   ///< the flat index of the cell's block, for composite data
     CellLow, ///< the cell's number, its lower 24 bits
-    CellHigh ///< the 24 bits above these
+    CellHigh ///< the next 24 bits
   };
   Shows shows = Shows::Nothing;
-  std::uint8_t color[3] = {}; ///< of Shows::Prop
-  bool needsCells = false;    ///< pixels without a cell are a miss, and hide what is behind
+  std::uint8_t color[3] = {}; ///< for Shows::Prop
+  bool needsCells = false;    ///< pixels without a cell are drawn as a miss and hide what is behind
 };
 
-/// What the present pass of the renderer's selector wants of a prop of ours, which it is told of.
+/// The colours that the current pass of the renderer's selector needs for this prop. Reports the
+/// prop to the selector.
 SelectionPass PassOf(vtkHardwareSelector* selector, const HighOrderModel& model);
 
-/// Pixels for a compositor.
+/// The pixels for a compositor.
 struct SelectionImage
 {
   std::vector<std::uint8_t> rgba;
   std::vector<float> depths;
 };
 
-/// Of each pixel the nearest sample that is shown, translucent or not, as VTK's own mappers are
-/// selected. `cells`: HighOrderModel::SelectedCells; `blocks` as the model's.
+/// Takes, for each pixel, the nearest visible sample, translucent or not, as VTK's mappers do.
+/// `cells`: HighOrderModel::SelectedCells. `blocks`: the model's.
 PIXELEXACTRENDERING_EXPORT SelectionImage MakeSelectionImage(const SelectionPass& pass,
   const Frame& frame, const DepthRows& rows, std::span<const std::int64_t> cells,
   std::span<const HighOrderModel::Block> blocks);

@@ -47,7 +47,7 @@ bool ViewFrame::MayBeCoarse(vtkCamera* camera)
 
 namespace
 {
-/// Pixels without a colour hide nothing.
+/// Removes the depths of transparent pixels, which hide nothing.
 void HideClear(const std::vector<std::uint8_t>& rgba, std::vector<float>& depths)
 {
   for (std::size_t i = 0; i < depths.size(); ++i)
@@ -91,7 +91,7 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
     }
     return;
   }
-  // Each ray ends at an opaque layer, if it meets one: at most one of its samples is of that part.
+  // Each ray ends at its first opaque layer, so at most one of its samples is opaque.
   const std::size_t pixels = frame.centres.Size();
   opaque.rgba.assign(4 * pixels, 0);
   opaque.depths.assign(pixels, kNoDepth);

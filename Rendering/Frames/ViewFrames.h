@@ -22,12 +22,12 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// The frame of one view, and what of it is drawn.
+/// The frame of one view, and its drawable pixels.
 struct ViewFrame
 {
   explicit ViewFrame(RenderCounters& counters);
 
-  /// Forgets model and frame.
+  /// Discards model and frame.
   void DropFrame();
 
   /// The pixels of one or more sheets, ready to be drawn.
@@ -36,44 +36,44 @@ struct ViewFrame
     std::vector<std::uint8_t> rgba;
     std::vector<float> depths;
   };
-  /// Makes what is drawn of the source's last frame, if that is not what is there.
+  /// Makes the drawable pixels of the renderer's last frame, unless they are current.
   void MakeDrawn(const DepthRows& rows);
 
   Renderer frames;
   std::shared_ptr<HighOrderModel> model; ///< of the last frame
-  bool hasGhosts = false;                ///< its model, which are not drawn
+  bool hasGhosts = false; ///< the model has elements of other processes, which are not drawn
   FrameCompositor compositor;
   FrameCompositor selection;      ///< keeps the textures of selectors' passes
-  std::int64_t selected = 0;      ///< passes drawn
-  Drawn opaque;                   ///< rgba empty: the frame's own
+  std::int64_t selected = 0;      ///< count of drawn passes
+  Drawn opaque;                   ///< rgba empty: the frame's own image
   std::deque<Drawn> seenThrough;  ///< nearest first
-  std::int64_t drawnVersion = -1; ///< of the source, that these were made of
+  std::int64_t drawnVersion = -1; ///< version of the frame that these were made from
   std::int64_t depthsVersion = 0;
-  /// Whether a frame through this camera may be coarse: it was not lent for this one alone, as
-  /// whoever saves a window's picture (vtkWindowToImageFilter) lends cameras to its renderers.
+  /// A frame through this camera may be coarse. It may not if the camera is set for one picture
+  /// only, as vtkWindowToImageFilter does when it saves a window's picture.
   bool MayBeCoarse(vtkCamera* camera);
-  std::vector<std::string> complaints; ///< of the last picture
+  std::vector<std::string> complaints; ///< for the last picture
 
 private:
   vtkWeakPointer<vtkCamera> Usual;
-  vtkWeakPointer<vtkCamera> Latest; ///< seen through once; null once it is gone
+  vtkWeakPointer<vtkCamera> Latest; ///< used once; null after its deletion
   DepthRows Rows;
   std::int64_t DrawnTrace = -1;
-  bool LinesAlone = false; ///< the depths are those of contours alone
+  bool LinesAlone = false; ///< only contours have depths
 };
 
-/// The frames of a mapper: one for each renderer, actor and eye that it is drawn for, so that none
-/// of them is traced anew because of the others. They go with their renderer and actor, and beyond
-/// kMax the one that was not drawn for longest.
+/// The frames of a mapper, one for each renderer, actor and eye that it is drawn for, so that none
+/// replaces another. They are removed with their renderer or actor. Above kMax, the least recently
+/// drawn one is removed.
 class ViewFrames
 {
 public:
   static constexpr std::size_t kMax = 16;
 
-  /// The view that the renderer's camera, which draws one eye at a time, has of the actor now.
+  /// The frame of the renderer's current eye and the actor.
   ViewFrame& Of(vtkRenderer* renderer, vtkActor* actor);
 
-  /// Of the view that was drawn last; null before the first one.
+  /// The renderer of the last drawn view; null before the first one.
   [[nodiscard]] Renderer* Last() { return Views.empty() ? nullptr : &Views.front().frame->frames; }
   [[nodiscard]] const HighOrderModel* LastModel() const
   {
@@ -81,11 +81,11 @@ public:
   }
   [[nodiscard]] const RenderCounters& Counters() const { return counters_; }
 
-  /// Takes what there is to say of the view's picture now. Gives back what was not to be said of
-  /// the picture before, nor of another view's: nobody wants to read a thing in every frame.
+  /// Records the complaints about the view's current picture. Returns those that neither its
+  /// previous picture nor another view has, so that each is reported once, not in every frame.
   std::vector<std::string> Complain(ViewFrame& view, std::vector<std::string> complaints);
 
-  /// Those of another model than this.
+  /// Removes the frames of all other models.
   void DropOthers(const HighOrderModel* model);
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -99,6 +99,6 @@ private:
   };
 
   RenderCounters counters_;
-  std::list<View> Views; ///< drawn last, first
+  std::list<View> Views; ///< most recently drawn first
 };
 } // namespace pixelexact

@@ -21,7 +21,7 @@ namespace pixelexact
 {
 namespace
 {
-// What lies beyond the near plane: z >= -w.
+// The half-space z >= -w behind the near plane.
 KeptHalfSpace BeyondNear(const DepthRows& rows)
 {
   KeptHalfSpace half{};
@@ -40,7 +40,7 @@ bool CutsInto(const KeptHalfSpace& half, const Box3& box)
   return !(least >= 0.0);
 }
 
-/// Views that differ only in what is not drawn are equal.
+/// Resets settings that are not drawn, so that views which differ only in them are equal.
 void LeaveOutUnused(Appearance& appearance)
 {
   if (!appearance.IsLit())
@@ -90,9 +90,9 @@ void Complete(const DataView& seen, View& view)
   view.appearance.lit = LitViewOf(renderer->GetActiveCamera(), seen.dataToWorld);
   view.appearance.bySheets = true;
   view.scene.kept = ClippingPlanesOf(seen.mapper, seen.dataToWorld);
-  // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
-  // visible, so this is for users who move it into the data, and for cameras inside of it; all
-  // others get rays that depend on the view alone.
+  // The part of the data before the near plane is cut away. VTK places that plane before all
+  // visible data, so this applies only if users move it into the data, and to cameras inside the
+  // data. In all other cases rays depend on the view alone.
   const KeptHalfSpace beyondNear = BeyondNear(DepthRowsOf(renderer, seen.dataToWorld));
   if (CutsInto(beyondNear, view.scene.locator->Bounds()))
   {
@@ -110,7 +110,7 @@ void Complete(const CameraSight& seen, View& view)
   view.appearance.lit = LitViewOf(seen.camera, dataToWorld);
   view.scene.kept = ClippingPlanesOf(seen.mapper, dataToWorld);
   view.stride = seen.stride;
-  // No compositor applies it afterwards.
+  // The opacity is applied here, because no compositor applies it later.
   for (LayerAppearance& layer : view.appearance.layers)
   {
     layer.opacity *= seen.actor->GetProperty()->GetOpacity();

@@ -12,10 +12,10 @@ class vtkMapper;
 class vtkMatrix4x4;
 class vtkRenderer;
 
-// From the camera and the lights of a renderer, and the place of an actor, to a view.
+// Converts the camera and lights of a renderer, and the place of an actor, to a view.
 namespace pixelexact
 {
-/// How a mapper's data are seen.
+/// How a renderer shows a mapper's data.
 struct DataView
 {
   vtkRenderer* renderer = nullptr;
@@ -29,11 +29,11 @@ struct DataView
 /// The mapper's clipping planes, in the data's coordinates.
 std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dataToWorld);
 
-/// Completes a view that has its data, layers, contours and edges: camera, half-spaces, lights,
-/// translucency. Throws Error where the matrix has no inverse.
+/// Completes a view that has its data, layers, contours and edges: sets camera, half-spaces, lights
+/// and translucency. Throws Error if the matrix has no inverse.
 void Complete(const DataView& seen, View& view);
 
-/// How a camera sees a mapper's data, without a renderer.
+/// How a camera shows a mapper's data, without a renderer.
 struct CameraSight
 {
   vtkCamera* camera = nullptr;
@@ -44,11 +44,11 @@ struct CameraSight
   int stride = 1; ///< View::stride
 };
 
-/// The same in the light of one headlight, with the actor's opacity and edges; the camera's
-/// clipping range does not count. Throws Error where the actor's matrix has no inverse.
+/// The same, with one headlight and the actor's opacity and edges. Ignores the camera's clipping
+/// range. Throws Error if the actor's matrix has no inverse.
 void Complete(const CameraSight& seen, View& view);
 
-/// Completes a view that is traced along one given ray.
+/// Completes a view that is traced along a single ray.
 void CompleteAlong(
   const CameraSetup& ray, double opacity, std::vector<KeptHalfSpace> kept, View& view);
 
