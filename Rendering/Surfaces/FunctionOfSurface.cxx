@@ -60,7 +60,7 @@ vtkSmartPointer<vtkImplicitFunction> FunctionOf(const Torus& torus)
   return function;
 }
 
-/// Null where the body is no box along the axes.
+/// Null if the body is not an axis-aligned box.
 vtkSmartPointer<vtkImplicitFunction> FunctionOf(const ConvexBody& body)
 {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

@@ -11,9 +11,9 @@ namespace pixelexact
 {
 class Surface;
 
-/// The function whose zeros a plane, quadric, torus or box along the axes is, for VTK's own
-/// filters; null of other surfaces. A quadric's is moved by a transform to near its centre, so that
-/// far ones keep their digits.
+/// The implicit function of a plane, quadric, torus or axis-aligned box, for VTK's own filters;
+/// null for other surfaces. A quadric's function is moved near its centre by a transform, so that
+/// distant ones keep their digits.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkImplicitFunction> FunctionOf(
   const Surface& surface);
 } // namespace pixelexact

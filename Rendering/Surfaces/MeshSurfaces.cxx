@@ -42,7 +42,7 @@ void RequireElements(const HighOrderModel& model, const std::vector<std::int64_t
   }
 }
 
-/// Such as "component 1 of field 'v'".
+/// A name for messages, such as "component 1 of field 'v'".
 std::string NameOf(const Field& field, int component)
 {
   std::string name = "field '" + field.name + "'";
@@ -54,7 +54,7 @@ std::string NameOf(const Field& field, int component)
                                  : "component " + std::to_string(component) + " of " + name;
 }
 
-/// As few digits as tell it from others.
+/// The shortest digits that round to the number.
 std::string Digits(double number)
 {
   std::array<char, 32> text{};
@@ -74,7 +74,7 @@ void RequireValue(const HighOrderModel& model, const Field& field, int component
           ", and " + Digits(value) + " is none of them; choose a value between"));
 }
 
-/// Faces of the elements of a mesh that `keep` chooses.
+/// Adds the faces that `keep` selects of all elements.
 template <class Keep>
 void AddFaces(const Mesh& mesh, Keep keep, std::vector<ElementFace>& faces)
 {
@@ -91,8 +91,8 @@ void AddFaces(const Mesh& mesh, Keep keep, std::vector<ElementFace>& faces)
   }
 }
 
-/// What is chosen, added up; nothing: faces that have nothing behind them, or not behind all of
-/// them.
+/// The union of all chosen faces. Without a choice, faces that are not completely covered by other
+/// elements.
 std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryChoice& choice)
 {
   std::vector<ElementFace> faces;
@@ -131,7 +131,7 @@ std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryCho
   return faces;
 }
 
-/// The surface, which keeps the model that it is a view of.
+/// Wraps the surface so that it keeps the model alive.
 std::shared_ptr<const Surface> KeepingAlive(
   const std::shared_ptr<const HighOrderModel>& model, std::unique_ptr<const Surface> surface)
 {
@@ -163,7 +163,7 @@ std::shared_ptr<const Surface> MakeBoundary(
 
 namespace
 {
-/// The field of the choice, which has the component and may have the value.
+/// The field of the choice. Checks its component and value.
 const Field& FieldFor(const HighOrderModel& model, const IsoChoice& choice)
 {
   if (!std::isfinite(choice.value))

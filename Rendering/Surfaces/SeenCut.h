@@ -10,20 +10,20 @@
 
 namespace pixelexact
 {
-/// What filters that look at a cut-surface by a camera have in common.
+/// Function and camera of filters that view a cut-surface through a camera.
 struct SeenCut
 {
   vtkSmartPointer<vtkImplicitFunction> function;
   vtkSmartPointer<vtkCamera> camera;
 
-  /// The time, or that of what changed after it.
+  /// The later of `time` and the modification times of function and camera.
   [[nodiscard]] vtkMTimeType Latest(vtkMTimeType time) const;
   void Print(ostream& os, vtkIndent indent, const int size[2]) const;
-  /// Throws Error where there is no function, or no pixel.
+  /// Throws Error without a function, and for an empty image.
   void Require(const int size[2]) const;
 };
 
-/// Whether it is another one.
+/// Sets `held` to `object`. Returns true if this is another object.
 template <class Object>
 bool Replace(vtkSmartPointer<Object>& held, Object* object)
 {

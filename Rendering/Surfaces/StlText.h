@@ -9,9 +9,9 @@
 
 namespace pixelexact
 {
-/// The triangles of an .stl file of text, with the doubles that it spells; VTK's reader rounds them
-/// to floats. Null: the file is a binary one, whose numbers are floats. Throws InvalidData, which
-/// says why, for a text that ends within a triangle or spells no number.
+/// The triangles of an ASCII .stl file, read as doubles; VTK's reader rounds them to floats. Null
+/// for a binary file, which stores floats. Throws InvalidData, with the reason, for a text that
+/// ends inside a triangle or has an invalid number.
 vtkSmartPointer<vtkPolyData> ReadStlText(const std::string& file);
 } // namespace pixelexact
 #endif

@@ -18,7 +18,7 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// What a user cuts with: one of the two, or nothing.
+/// The source of a cut-surface: a function, a surface object, or none.
 struct CutSource
 {
   vtkImplicitFunction* function = nullptr;
@@ -27,23 +27,23 @@ struct CutSource
   [[nodiscard]] vtkObject* Object() const;
 };
 
-/// The cut-surfaces of one mapper, shared by all of its views: each is made once for a state of
-/// what it is made of, of the model and of the search, and is the same object until one of these
-/// changes.
+/// The cut-surfaces of one mapper, shared by all of its views. A surface is constructed once for
+/// each state of its source, the model and the search, and remains the same object until one of
+/// these changes.
 class SurfaceCache
 {
 public:
-  /// `samples`: see SearchedSurface. Throws Error where there is nothing to cut with, and as
-  /// ToSurface and vtkHighOrderSurface::MakeSurface, after which there is none.
+  /// `samples`: see SearchedSurface. Throws Error without a source, and as ToSurface and
+  /// vtkHighOrderSurface::MakeSurface do; then no surface is kept.
   std::shared_ptr<const Surface> Of(
     const CutSource& source, const std::shared_ptr<HighOrderModel>& model, int samples);
 
-  /// Forgets what is of other sources.
+  /// Discards the surfaces of all other sources.
   void KeepOnly(std::span<const CutSource> sources);
-  /// Forgets what is of other models; null: of any.
+  /// Discards the surfaces of all other models; null: of any model.
   void DropOthers(const std::shared_ptr<HighOrderModel>& model);
 
-  /// How many were made.
+  /// Count of constructed surfaces.
   [[nodiscard]] std::int64_t Builds() const { return Count; }
 
 private:
@@ -56,7 +56,7 @@ private:
     std::shared_ptr<const Surface> surface;
   };
 
-  std::weak_ptr<const HighOrderModel> Model; ///< of all entries that are of one
+  std::weak_ptr<const HighOrderModel> Model; ///< of all entries that depend on a model
   std::vector<Entry> Entries;
   std::int64_t Count = 0;
 };

@@ -25,7 +25,7 @@ int SurfaceInput::FillInputPortInformation(int /*port*/, vtkInformation* info)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type.c_str());
   }
-  // Who uses it says what is missing.
+  // The user of the input reports missing data.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }

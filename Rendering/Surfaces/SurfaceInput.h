@@ -10,21 +10,22 @@ class vtkDataObject;
 
 namespace pixelexact
 {
-/// The end of a pipeline: what a surface is made of. Input connections are a vtkAlgorithm's.
+/// The end of a pipeline that provides a surface's data. Input connections are those of a
+/// vtkAlgorithm.
 class SurfaceInput : public vtkAlgorithm
 {
 public:
   static SurfaceInput* New();
   vtkTypeMacro(SurfaceInput, vtkAlgorithm);
 
-  /// The data types that it takes; to be called once, before anything else.
+  /// Sets the accepted data types; must be called once, before all other functions.
   void Accept(std::vector<std::string> types) { Types = std::move(types); }
 
   void SetData(vtkDataObject* data) { this->SetInputDataInternal(0, data); }
-  /// What is there, of an accepted type or not; null: nothing.
+  /// The input data, of an accepted type or not; null: there are none.
   vtkDataObject* Data();
-  /// The same, as T. Throws Error, which begins with the surface's name and ends with the accepted
-  /// types, where there is nothing or something else.
+  /// The input data as T. Throws Error, which begins with the surface's name and ends with the
+  /// accepted types, if there are none or they have another type.
   template <class T>
   T* DataOf(vtkObject* surface)
   {

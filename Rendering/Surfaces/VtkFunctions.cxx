@@ -28,7 +28,7 @@ double ValueAt(vtkImplicitFunction* function, const Vec3& x)
   return function->FunctionValue(glm::value_ptr(x));
 }
 
-/// A boolean of booleans and parts, as a rule for Combined.
+/// A tree of booleans and parts, which gives Combined's rule.
 struct Node
 {
   int operation = -1; ///< of vtkImplicitBoolean; -1: a part
@@ -52,7 +52,7 @@ struct Node
   }
 };
 
-/// False where something has no closed form.
+/// Returns false if a function has no closed form.
 bool Add(vtkImplicitFunction* function, const ClosedForm& closedForm,
   std::vector<Combined::Part>& parts, Node& node)
 {
@@ -73,7 +73,7 @@ bool Add(vtkImplicitFunction* function, const ClosedForm& closedForm,
   node.operation = boolean->GetOperationType();
   if (node.operation == vtkImplicitBoolean::VTK_UNION_OF_MAGNITUDES)
   {
-    // Nor does a search find any.
+    // A search does not find a surface either, because the function has no change of sign.
     throw Error("a vtkImplicitBoolean of type union of magnitudes has no inside and no "
                 "outside; cut with its functions one by one");
   }

@@ -10,20 +10,20 @@
 class vtkImplicitBoolean;
 class vtkImplicitFunction;
 
-// Cut-surfaces of VTK's functions that have no closed form of their own.
+// Cut-surfaces of VTK's functions without a closed form of their own.
 namespace pixelexact
 {
-/// The surface in closed form of a function that is no boolean; null where there is none.
+/// Converts a function that is not a boolean to a surface in closed form; null if there is none.
 using ClosedForm = std::function<std::shared_ptr<const Surface>(vtkImplicitFunction*)>;
 
-/// A boolean, of booleans too, whose functions all have closed forms: from their own hits; null
-/// where one has not, or where a boolean is moved by a transform. Throws Error for one without
-/// functions, and for a union of magnitudes, which changes its sign nowhere.
+/// Combines the hits of a boolean's functions, which may be booleans, if all of them have closed
+/// forms. Null if one has none, or if a boolean has a transform. Throws Error for a boolean without
+/// functions, and for a union of magnitudes, which never changes its sign.
 [[nodiscard]] std::shared_ptr<const Surface> FromBoolean(
   vtkImplicitBoolean* boolean, const ClosedForm& closedForm);
 
-/// Any function, by a search in a box (SearchedSurface) with so many samples. The function itself
-/// is asked (VtkSampledFunction).
+/// A surface for any function, by a search in a box with `samples` samples (SearchedSurface). The
+/// function itself is evaluated (VtkSampledFunction).
 [[nodiscard]] std::shared_ptr<const Surface> FromAnyFunction(
   vtkImplicitFunction* function, const Box3& box, int samples);
 } // namespace pixelexact

@@ -14,14 +14,15 @@ class vtkPolyData;
 
 namespace pixelexact
 {
-/// A point's component, or with kMagnitude the norm of all, of a single one the value itself.
+/// A component of a point's value or, with kMagnitude, the norm of all; for one component, its
+/// signed value.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT double ValueAt(
   vtkDataArray* values, vtkIdType point, int component);
 
-/// The polygons and strips of a surface, as triangles, with the values of a point array at their
-/// corners: a component, or kMagnitude. Triangles with a corner whose value is not finite, or
-/// whose point is not, are left out: a pipeline shows no value there. Throws Error where there is
-/// no such array or component.
+/// Triangulates the polygons and strips of a surface, with the values of a point array at the
+/// corners: a component, or kMagnitude. Triangles with a corner whose value or point is not finite
+/// are omitted, as a pipeline shows no value there. Throws Error if the array or component does not
+/// exist.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::unique_ptr<const LinearSurface> ToLinearSurface(
   vtkPolyData* surface, const std::string& array, int component);
 } // namespace pixelexact

@@ -61,7 +61,7 @@ std::string NameOf(vtkIdType cell)
   return "Bezier patches: cell " + std::to_string(cell);
 }
 
-/// Degrees in u and v: given, or both the same.
+/// Degrees in u and v: the given ones, or two equal ones from the number of points.
 std::array<int, 2> DegreesOf(vtkPointSet* data, vtkIdType cell, vtkIdType points)
 {
   vtkDataArray* given = data->GetCellData()->GetHigherOrderDegrees();
@@ -87,7 +87,7 @@ std::array<int, 2> DegreesOf(vtkPointSet* data, vtkIdType cell, vtkIdType points
   return { static_cast<int>(degrees[0]), static_cast<int>(degrees[1]) };
 }
 
-/// With equal weights a rational patch is a polynomial one.
+/// A rational patch with equal weights is a polynomial patch.
 void RequireEqualWeights(vtkPointSet* data, vtkIdType cell, vtkIdList* ids)
 {
   vtkDataArray* weights = data->GetPointData()->GetRationalWeights();

@@ -11,7 +11,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a box's size; the cube root of the unit roundoff, where central differences are best.
+/// Step relative to the box's size: the cube root of the unit roundoff is optimal for central
+/// differences.
 constexpr double kStep = 6e-6;
 } // namespace
 

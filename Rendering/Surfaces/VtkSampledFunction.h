@@ -11,21 +11,20 @@ class vtkImplicitFunction;
 
 namespace pixelexact
 {
-/// A vtkImplicitFunction, its transform included, asked for many points at once and by one thread
-/// at a time: functions keep data of their own while they are evaluated. One that is a
-/// vtkImplicitCallback, or is made of some by vtkImplicitBoolean, is asked by the calling thread
-/// alone.
+/// A vtkImplicitFunction with its transform, evaluated at many points per call and by one thread at
+/// a time, because functions change internal data during evaluation. A vtkImplicitCallback, or a
+/// vtkImplicitBoolean that contains one, is evaluated on the calling thread only.
 class VtkSampledFunction final : public SampledFunction
 {
 public:
-  /// `box`: where it is asked.
+  /// `box`: the region of evaluation.
   VtkSampledFunction(vtkImplicitFunction* function, const Box3& box);
   ~VtkSampledFunction() override;
 
-  /// Throws Error where a callback fails.
+  /// Throws Error if a callback fails.
   void Evaluate(std::span<const Vec3> x, std::span<double> values) const override;
-  /// The function's own; of callbacks without a gradient, or moved by a transform, central
-  /// differences within the box, over 6e-6 of its size.
+  /// The function's own gradients. For callbacks without a gradient, or with a transform, central
+  /// differences in the box with a step of 6e-6 of its size.
   void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override;
   [[nodiscard]] bool NeedsCallingThread() const override { return HasCallbacks; }
 

@@ -45,8 +45,7 @@ constexpr const char* kAvailable = "available: vtkPlane, vtkSphere, vtkCylinder,
                                    "vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus, and "
                                    "vtkImplicitBoolean of these";
 
-// The matrix that takes a point to the space in which the function is written; identity without a
-// transform.
+// The matrix from world space to the function's space; identity without a transform.
 void MatrixOf(vtkImplicitFunction* function, vtkMatrix4x4* matrix)
 {
   vtkAbstractTransform* transform = function->GetTransform();
@@ -69,7 +68,8 @@ std::shared_ptr<const Surface> FromPlane(vtkPlane* plane)
   Vec3 origin;
   Vec3 normal;
   plane->GetOrigin(glm::value_ptr(origin));
-  // The function itself, and not GetNormal(): newer planes also have an offset along the normal.
+  // Evaluates the function instead of calling GetNormal(), because newer planes also have an offset
+  // along the normal.
   plane->EvaluateGradient(glm::value_ptr(origin), glm::value_ptr(normal));
   const double square = glm::dot(normal, normal);
   if (square == 0.0)
@@ -88,8 +88,9 @@ std::shared_ptr<const Surface> FromPlane(vtkPlane* plane)
   {
     throw Error("the transform of the vtkPlane has no inverse");
   }
-  // p(x) = (normal, -normal . origin) . (x, 1) becomes p(A x): a row vector times A. Its fourth
-  // number would cost digits far from the world's origin, so a point of the plane is moved instead.
+  // p(x) = (normal, -normal . origin) . (x, 1) becomes p(A x): a row vector times A. The row's
+  // fourth number would lose digits far from the world's origin, so a point of the plane is
+  // transformed instead.
   const double row[4] = { normal.x, normal.y, normal.z, -glm::dot(normal, origin) };
   double moved[4] = { 0.0, 0.0, 0.0, 0.0 };
   for (int i = 0; i < 4; ++i)
@@ -111,7 +112,7 @@ std::shared_ptr<const Surface> FromPlane(vtkPlane* plane)
   return std::make_shared<Plane>(Vec3(movedPoint[0], movedPoint[1], movedPoint[2]) / movedPoint[3],
     Vec3(moved[0], moved[1], moved[2]));
 }
-// The function's transform, which all but planes take only where it is affine.
+// The function's transform, which must be affine for all functions except planes.
 AffineMap AffineMapOf(vtkImplicitFunction* function)
 {
   vtkNew<vtkMatrix4x4> matrix;
@@ -151,7 +152,7 @@ std::shared_ptr<const Surface> FromCylinder(vtkCylinder* cylinder)
     MakeCylinder(centre, axis, cylinder->GetRadius(), AffineMapOf(cylinder)));
 }
 
-// Newer cones may have one half, and keep their place and direction in the transform.
+// Newer cones may be single cones, and store place and direction in the transform.
 template <class Cone>
 std::shared_ptr<const Surface> FromCone(Cone* cone)
 {
@@ -213,8 +214,8 @@ std::shared_ptr<const Surface> FromTorus(vtkImplicitTorus* torus)
   return std::make_shared<Torus>(centre, axis, torus->GetRadius(), torus->GetTubeRadius());
 }
 
-// The surface of a function of class T. Not of a class derived from it, which may be another
-// function.
+// Converts a function of class T. Classes derived from T are excluded, because they may be other
+// functions.
 template <class T>
 bool Try(std::initializer_list<std::string_view> names, vtkImplicitFunction* function,
   std::shared_ptr<const Surface> (*from)(T*), std::shared_ptr<const Surface>& surface)
@@ -231,7 +232,7 @@ bool Try(std::initializer_list<std::string_view> names, vtkImplicitFunction* fun
 std::shared_ptr<const Surface> ToClosedForm(vtkImplicitFunction* function)
 {
   std::shared_ptr<const Surface> surface;
-  // The first that knows it. Those of ParaView differ from VTK's in how they are set.
+  // The first matching class converts it. ParaView's classes differ from VTK's in their setters.
   (void)(Try<vtkPlane>({ "vtkPlane", "vtkPVPlane" }, function, FromPlane, surface) ||
     Try<vtkSphere>({ "vtkSphere" }, function, FromSphere, surface) ||
     Try<vtkCylinder>({ "vtkCylinder", "vtkPVCylinder" }, function, FromCylinder, surface) ||

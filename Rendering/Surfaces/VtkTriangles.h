@@ -10,8 +10,8 @@ class vtkPolyData;
 
 namespace pixelexact
 {
-/// The polygons and strips of a surface, as triangles; its vertices and lines are left out. A copy.
-/// Throws Error where there are none, and as Triangles.
+/// Copies the polygons and strips of a surface as triangles; vertices and lines are omitted. Throws
+/// Error without triangles, and as Triangles does.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Triangles> ToTriangles(
   vtkPolyData* surface);
 } // namespace pixelexact
