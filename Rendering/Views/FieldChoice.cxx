@@ -58,7 +58,7 @@ FieldChoice FieldOf(vtkMapper* mapper)
   {
     return { .name = {}, .index = mapper->GetArrayId() };
   }
-  // Not GetInputArrayInformation(0), which would make an entry where there is none.
+  // Avoids GetInputArrayInformation(0), which would add a missing entry.
   vtkInformationVector* arrays =
     mapper->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
   vtkInformation* array = arrays != nullptr ? arrays->GetInformationObject(0) : nullptr;

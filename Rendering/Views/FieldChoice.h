@@ -11,7 +11,7 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// Which field of a model: the named one, else the one of that number, else the first.
+/// A choice of a model's field: by name, else by index, else the first field.
 struct FieldChoice
 {
   std::string name;
@@ -19,13 +19,14 @@ struct FieldChoice
 
   bool operator==(const FieldChoice&) const = default;
 
-  /// Throws Error, listing what there is, when the model has no such field.
+  /// The chosen field. Throws Error, listing the fields, if the model lacks it.
   [[nodiscard]] const Field& In(const HighOrderModel& model) const;
 };
 
-/// Throws Error when the field has no such component; kMagnitude is one of any field.
+/// Throws Error if the field lacks the component; kMagnitude exists for any field.
 void RequireComponent(const Field& field, int component);
 
-/// As VTK's users tell mappers what to colour by: SelectColorArray, else SetInputArrayToProcess(0).
+/// The field chosen for colours by a mapper's settings: SelectColorArray, else
+/// SetInputArrayToProcess(0).
 [[nodiscard]] FieldChoice FieldOf(vtkMapper* mapper);
 } // namespace pixelexact

@@ -31,7 +31,7 @@ Camera CameraOfFilter(
 
 namespace
 {
-/// Of an image's side, at most.
+/// Largest part of an image's side that the points fill.
 constexpr double kFilled = 0.92;
 constexpr int kRounds = 5;
 constexpr int kPasses = 2;
@@ -51,8 +51,8 @@ CameraView FitToPoints(
   const double slope = kFilled * std::tan(0.5 * glm::radians(all.viewAngle));
   CameraView view = all;
   double distance = glm::distance(all.position, all.focalPoint);
-  // The middle of what is seen is not that of the points where near ones look larger: each round
-  // moves there, and as near as can be.
+  // In a perspective view, the middle of the points' image is not the image of their middle. Each
+  // round moves the view to the former, and as near as possible.
   for (int round = 0; round < kRounds; ++round)
   {
     glm::dvec2 lower(std::numeric_limits<double>::infinity());
@@ -77,7 +77,7 @@ CameraView FitToPoints(
       distance = std::max(distance, glm::dot(from, towards) + beside / slope);
       view.parallelScale = std::max(view.parallelScale, beside / kFilled);
     }
-    // Of a single point, or a line that is seen from its end, nothing is learnt.
+    // A single point, or a line seen end-on, gives no scale.
     if (!(view.parallelScale > 1e-6 * all.parallelScale))
     {
       return all;
@@ -92,7 +92,7 @@ CameraView FitToPoints(
   }
   catch (const Error&)
   {
-    // So near that rounding leaves no direction.
+    // The position is so near that rounding leaves no direction.
     return all;
   }
   return view;

@@ -8,8 +8,7 @@
 #include <functional>
 #include <vector>
 
-// Where the camera stands that nobody placed: the same for the command-line program and for
-// vtkHighOrderPicture.
+// The default camera, equal for the command-line program and for vtkHighOrderPicture.
 
 class vtkCamera;
 
@@ -17,24 +16,24 @@ namespace pixelexact
 {
 class Surface;
 
-/// The camera of a filter that needs one. Of null: all of the box, in parallel, along the normal of
-/// a flat surface, of others from (1, 1, 1). Throws Error for a box that is empty.
+/// The camera of a filter. If `camera` is null: a parallel view of the whole box, along the normal
+/// of a flat surface, or from (1, 1, 1) for other surfaces. Throws Error for an empty box.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT Camera CameraOfFilter(
   vtkCamera* camera, const Surface& surface, const Box3& box, int width, int height);
 
-/// z points up, as in most drawings of solids, except where one looks along it.
+/// The default view-up: z, unless the camera looks along z.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT Vec3 UsualUp(const Vec3& towardsViewer);
 
-/// The small image, of the same shape, in which what is seen is looked for.
+/// Size of the small image, with the same aspect ratio, in which the visible points are found.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::array<int, 2> SmallSize(int width, int height);
 
-/// The points, in world space, that a view shows in a small image; only finite ones.
+/// The finite points, in world space, that a view shows in a small image.
 using SeenFrom = std::function<std::vector<Vec3>(const CameraView&)>;
 
-/// The view moved nearer, or to the side, so that what is seen fills most of an image of width x
-/// height pixels; looked for twice, the second time from nearer, where the first saw what is small
-/// in a few of its pixels. `keepScale`: a parallel view keeps its scale. Where nothing is seen, or
-/// a single point, the view as it was. The view is one that a camera holds (AsHeld).
+/// Moves the view nearer, or sideways, so that the visible points fill most of an image of width x
+/// height pixels. Uses two passes: the second one resolves points that the first one showed in a
+/// few pixels. `keepScale`: a parallel view keeps its scale. Without visible points, or with a
+/// single one, returns the view unchanged. The view is one that a vtkCamera can hold (AsHeld).
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT CameraView FitView(
   const CameraView& all, int width, int height, bool keepScale, const SeenFrom& seen);
 } // namespace pixelexact

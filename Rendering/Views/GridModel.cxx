@@ -33,7 +33,7 @@ const std::shared_ptr<HighOrderModel>& GridModel::Of(vtkDataObject* grid)
   }
   if (!Model || !Model->IsCurrent(grid))
   {
-    // Alive until the new one is made, which may share its locator.
+    // Stays alive until the new model is constructed, which may share its locator.
     const std::shared_ptr<HighOrderModel> stale = std::move(Model);
     Model = HighOrderModel::From(grid);
     ++Count;

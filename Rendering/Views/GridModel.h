@@ -13,21 +13,21 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// RequestUpdateExtent: all of what is connected, whatever piece of the output is asked for.
+/// Requests the whole input in RequestUpdateExtent, for any requested piece of the output.
 PIXELEXACTRENDERING_EXPORT void AskForWhole(vtkInformationVector* input);
 
-/// The model of somebody's grid, made anew when that is another one or has changed.
+/// The model of a grid, reconstructed when the grid changes or is replaced.
 class PIXELEXACTRENDERING_EXPORT GridModel
 {
 public:
-  /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error,
-  /// after which there is none.
+  /// The current model of a vtkUnstructuredGrid, or of a composite data set of these. Throws Error;
+  /// then there is no model.
   const std::shared_ptr<HighOrderModel>& Of(vtkDataObject* grid);
 
-  /// The model of the last call; null: there was none, or it failed.
+  /// The model of the last call; null if there was none, or it failed.
   [[nodiscard]] const std::shared_ptr<HighOrderModel>& Last() const { return Model; }
 
-  /// How many were made.
+  /// Count of constructed models.
   [[nodiscard]] std::int64_t Builds() const { return Count; }
 
 private:

@@ -53,8 +53,8 @@ vtkDataObject* MapperExecutive::GetInputData(int port, int connection)
   }
   if (this->Nothing->GetPoints() == nullptr)
   {
-    // Some exporters look at the points without asking whether there are any, and
-    // vtkSingleVTPExporter drops everybody's normals where one has none.
+    // Some exporters read the points without checking for null, and vtkSingleVTPExporter omits the
+    // normals of all actors if one has none.
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
     this->Nothing->SetPoints(vtkNew<vtkPoints>());
@@ -62,7 +62,7 @@ vtkDataObject* MapperExecutive::GetInputData(int port, int connection)
   }
   if (this->Nothing->GetMTime() < input->GetMTime())
   {
-    // vtkActor::GetRedrawMTime takes the time of the data from here.
+    // vtkActor::GetRedrawMTime reads the data's modification time here.
     this->Nothing->Modified();
   }
   return this->Nothing;

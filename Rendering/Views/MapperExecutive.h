@@ -9,20 +9,19 @@ class vtkAlgorithm;
 
 namespace pixelexact
 {
-/// The executive of a mapper whose picture is not that of its input's cells. Whoever asks the
-/// mapper for its input by VTK's own functions (vtkMapper::GetInput, GetInputDataObject) wants the
-/// polygons that are seen: pickers, exporters. These would take the outside of the uncut mesh; so
-/// they get an empty vtkPolyData and the mapper gives a warning. The pipeline itself is that of the
-/// superclass, without its loop over the blocks of composite data.
+/// The executive of a mapper that does not draw its input's cells. Callers of vtkMapper::GetInput
+/// and GetInputDataObject, such as pickers and exporters, expect the visible polygons and would
+/// take the outside of the uncut mesh. They get an empty vtkPolyData, and the mapper warns. The
+/// pipeline itself is that of the superclass, without its loop over the blocks of composite data.
 class MapperExecutive : public vtkStreamingDemandDrivenPipeline
 {
 public:
   static MapperExecutive* New();
   vtkTypeMacro(MapperExecutive, vtkStreamingDemandDrivenPipeline);
 
-  /// The input of an algorithm with any executive, null where there is none.
+  /// The input of an algorithm with any executive; null if there is none.
   static vtkDataObject* InputOf(vtkAlgorithm* algorithm);
-  /// The next who asks is warned again.
+  /// Makes the next such call warn a second time.
   static void WarnAgain(vtkAlgorithm* algorithm);
 
   vtkDataObject* GetInputData(int port, int connection) override;
@@ -35,8 +34,8 @@ protected:
   MapperExecutive() = default;
   ~MapperExecutive() override = default;
 
-  /// The input stays, as that of stock mappers of polygons does, where ReleaseDataFlag asks
-  /// producers to release what was consumed: a mapper draws after its pipeline's update.
+  /// Keeps the input, as stock mappers of polygons do, even if ReleaseDataFlag requests its
+  /// release, because a mapper draws after its pipeline's update.
   void ExecuteDataEnd(vtkInformation* request, vtkInformationVector** inInfoVec,
     vtkInformationVector* outInfoVec) override;
 

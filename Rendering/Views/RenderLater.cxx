@@ -68,7 +68,8 @@ void RenderLater::Fired(vtkObject* /*caller*/, unsigned long /*event*/, void* se
   }
   if (later->Spent != 0)
   {
-    // Not the one that fires: VTK's loops over timers do not expect it to go meanwhile.
+    // Destroys the previous timer, because VTK's timer loops do not allow the destruction of the
+    // timer that fires.
     later->Interactor->DestroyTimer(later->Spent);
   }
   later->Spent = later->Timer;

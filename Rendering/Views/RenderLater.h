@@ -12,8 +12,8 @@ class vtkRenderWindow;
 
 namespace pixelexact
 {
-/// Asks a window's observers of AbortCheckEvent whether a frame is to be ended, every 10 ms.
-/// vtkRenderWindow::CheckAbortStatus asks them every 200 ms, which somebody who waits can see.
+/// Invokes a window's AbortCheckEvent every 10 ms to check whether a frame is to be aborted.
+/// vtkRenderWindow::CheckAbortStatus does so every 200 ms, which is a visible delay.
 class AbortCheck
 {
 public:
@@ -28,7 +28,8 @@ private:
   std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
 
-/// Renders an interactor's window once more when events have been looked at, by a timer.
+/// Renders an interactor's window a second time, by a timer, after pending events have been
+/// processed.
 class RenderLater
 {
 public:
@@ -37,7 +38,7 @@ public:
   RenderLater(const RenderLater&) = delete;
   RenderLater& operator=(const RenderLater&) = delete;
 
-  /// Asked again before that it does nothing more.
+  /// Starts the timer. Has no effect while a timer is pending.
   void Ask(vtkRenderWindowInteractor* interactor);
 
 private:
@@ -47,7 +48,7 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkCallbackCommand> Command;
   unsigned long Observer = 0;
-  int Timer = 0; ///< that is running; 0: none
-  int Spent = 0; ///< the one before it
+  int Timer = 0; ///< the running timer; 0: none
+  int Spent = 0; ///< the previous timer
 };
 } // namespace pixelexact

@@ -17,7 +17,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a point of the font's size a pixel.
+/// Makes one point of the font's size one pixel.
 constexpr int kDotsPerInch = 72;
 
 [[noreturn]] void Fail()
@@ -25,7 +25,7 @@ constexpr int kDotsPerInch = 72;
   throw Error("FreeType makes no text; leave labels and titles out");
 }
 
-/// A text's colour, of straight alpha, over an image's.
+/// Blends a text's colour, with straight alpha, over an image's.
 void Blend(const unsigned char* over, std::uint8_t* to)
 {
   const double part = over[3] / 255.0;
@@ -91,7 +91,7 @@ void TextImages::Put(const std::string& text, double x, double y, TextAnchor anc
   {
     Fail();
   }
-  // About the origin.
+  // Coordinates of the extent are relative to the anchor.
   std::array<int, 6> extent{};
   With->image->GetExtent(extent.data());
   const int x0 = static_cast<int>(std::floor(x));

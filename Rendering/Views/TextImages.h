@@ -10,14 +10,14 @@
 
 namespace pixelexact
 {
-/// In pixels.
+/// Size of a text, in pixels.
 struct TextSize
 {
   double width;
   double height;
 };
 
-/// Pixels, four bytes of straight alpha each, lower left first.
+/// Pixels of four bytes with straight alpha, lower left first.
 struct PixelSpan
 {
   int width;
@@ -25,7 +25,7 @@ struct PixelSpan
   std::uint8_t* rgba;
 };
 
-/// Which of a text's points is put at a place; up and down it is the middle.
+/// The point of a text that is put at a place; vertically, it is the middle.
 enum class TextAnchor
 {
   Left,
@@ -33,7 +33,7 @@ enum class TextAnchor
   Right
 };
 
-/// Letters: VTK's own, without (Arial) or with serifs (Times), or those of a file.
+/// A font: VTK's own without serifs (Arial) or with serifs (Times), or that of a file.
 struct FontChoice
 {
   enum class Family
@@ -46,7 +46,7 @@ struct FontChoice
   std::string file; ///< TrueType, OpenType or Type 1
 };
 
-/// Texts of one font as pixels, by FreeType, without OpenGL.
+/// Renders texts of one font to pixels, by FreeType, without OpenGL.
 class PIXELEXACTRENDERING_EXPORT TextImages
 {
 public:
@@ -56,11 +56,11 @@ public:
   TextImages(const TextImages&) = delete;
   TextImages& operator=(const TextImages&) = delete;
 
-  /// Unturned. Throws Error where FreeType makes no text.
+  /// Size of a text before rotation. Throws Error if FreeType fails.
   [[nodiscard]] TextSize SizeOf(const std::string& text);
 
-  /// Puts a text over an image, as far as it is on it. `angle`: in degrees, against the clock.
-  /// Throws Error where FreeType makes no text.
+  /// Draws a text over an image; parts outside the image are clipped. `angle`: in degrees,
+  /// anticlockwise. Throws Error if FreeType fails.
   void Put(const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color,
     double angle, const PixelSpan& to);
 

@@ -25,7 +25,7 @@ bool IsIdentity(vtkMatrix4x4* matrix)
   return matrix == nullptr || matrix->IsIdentity();
 }
 
-// Newer than the oldest VTK that this is built with: a parallel scale that is half of the width.
+// The parallel scale is half the width; the oldest supported VTK lacks this setting.
 template <typename VtkCamera>
 bool HasHorizontalParallelScale(VtkCamera* camera)
 {
@@ -52,19 +52,19 @@ Mat3 LinearPart(vtkMatrix4x4* matrix)
   return linear;
 }
 
-// The scale of a rotation times a scale, 0 where the matrix is something else.
+// The scale of a matrix that is a rotation times a scale; 0 for other matrices.
 double ScaleOfSimilarity(vtkMatrix4x4* matrix)
 {
   const bool affine = matrix->GetElement(3, 0) == 0.0 && matrix->GetElement(3, 1) == 0.0 &&
     matrix->GetElement(3, 2) == 0.0 && matrix->GetElement(3, 3) == 1.0;
   const Mat3 linear = LinearPart(matrix);
-  // A mirror turns right into left, which no view can say.
+  // No view describes a mirror image.
   if (!affine || !(glm::determinant(linear) > 0.0))
   {
     return 0.0;
   }
   const double square = glm::dot(linear[0], linear[0]);
-  // A product of some rotations is off by some roundings.
+  // A product of several rotations has an error of some roundings.
   const double tolerance = 1e-13 * square;
   for (int i = 0; i < 3; ++i)
   {
@@ -93,7 +93,7 @@ CameraView ToDataSpace(const CameraView& view, vtkMatrix4x4* worldToData, double
   return moved;
 }
 
-// Normalised device coordinates to data space.
+// The matrix from normalised device coordinates to data space.
 std::array<double, 16> InverseComposite(vtkCamera* camera, double aspect, vtkMatrix4x4* dataToWorld)
 {
   vtkNew<vtkMatrix4x4> composite;
@@ -158,7 +158,7 @@ CameraView AsHeld(const CameraView& view)
   vtkNew<vtkCamera> camera;
   ApplyView(view, camera);
   CameraView held = ViewOf(camera);
-  // A vtkCamera looks elsewhere where the focal point is nearer than 1e-20.
+  // A vtkCamera moves a focal point that is nearer than 1e-20.
   held.position = view.position;
   held.focalPoint = view.focalPoint;
   return held;
@@ -180,7 +180,7 @@ CameraSetup SetupOf(
   {
     throw Error("the actor's matrix has no inverse: give it a scale that is not zero");
   }
-  // Renderers of their own kind may stretch their pixels.
+  // Derived renderers may stretch their pixels.
   const bool squarePixels = std::abs(aspect - pixelAspect) <= 1e-12 * pixelAspect;
   const double scale = moved ? ScaleOfSimilarity(dataToWorld) : 1.0;
   if (!IsPlain(camera) || !squarePixels || scale == 0.0)

@@ -39,22 +39,23 @@ struct NamedMap
   std::span<const std::uint32_t> colors; ///< 0xRRGGBB, at equal steps over the range
 };
 
-// Ten colours each of the maps of matplotlib (S. van der Walt, N. Smith, 2015), which were made to
-// be uniform to the eye: between them CIELAB is the right space.
+// Ten colours each of matplotlib's maps (S. van der Walt, N. Smith, 2015). The maps are
+// perceptually uniform, so colours are interpolated in CIELAB.
 constexpr std::uint32_t kViridis[] = { 0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89,
   0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725 };
 constexpr std::uint32_t kInferno[] = { 0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60, 0xcf4446,
   0xed6925, 0xfb9a06, 0xf7d03c, 0xfcffa4 };
 constexpr std::uint32_t kPlasma[] = { 0x0d0887, 0x47039f, 0x7301a8, 0x9c179e, 0xbd3786, 0xd8576b,
   0xed7953, 0xfa9e3b, 0xfdc926, 0xf0f921 };
-// K. Moreland, Diverging Color Maps for Scientific Visualization, 2009: VTK has its colour space.
+// K. Moreland, Diverging Color Maps for Scientific Visualization, 2009; VTK implements its colour
+// space.
 constexpr std::uint32_t kCoolWarm[] = { 0x3b4cc0, 0xb40426 };
 constexpr std::uint32_t kJet[] = { 0x000080, 0x0000ff, 0x0080ff, 0x00ffff, 0x80ff80, 0xffff00,
   0xff8000, 0xff0000, 0x800000 };
 constexpr std::uint32_t kRainbow[] = { 0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000 };
 constexpr std::uint32_t kGrayscale[] = { 0x000000, 0xffffff };
 
-/// Steps of a table: four for each of the 256 that a byte can show.
+/// Steps of a table: four for each of the 256 values of a byte.
 constexpr int kTableSize = 1024;
 
 constexpr std::uint32_t kGray = 0x808080;
@@ -101,7 +102,7 @@ bool IsEmpty(vtkScalarsToColors* table)
   return table->GetNumberOfAvailableColors() == 0;
 }
 
-/// Values that have no logarithm get the colour of NaN; VTK gives them that of the lower end.
+/// Values without a logarithm get the colour of NaN; VTK gives them that of the lower end.
 ColorMap OfPositive(ColorMap map)
 {
   return [map = std::move(map)](std::span<const double> values, std::uint8_t* rgba)
@@ -164,7 +165,7 @@ std::shared_ptr<const ColorTable> ColorTableOf(vtkScalarsToColors* table)
 
 void RequireRange(const std::array<double, 2>& range)
 {
-  // Their difference, too: tables divide by it.
+  // The difference must also be finite, because tables divide by it.
   if (!std::isfinite(range[1] - range[0]) || range[0] > range[1])
   {
     std::ostringstream text;
@@ -195,7 +196,7 @@ ColorMap ToColorMap(vtkScalarsToColors* table)
   ColorMap map = [keep = vtkSmartPointer<vtkScalarsToColors>(table)](
                    std::span<const double> values, std::uint8_t* rgba)
   {
-    // VTK takes a pointer to non-const but only reads.
+    // VTK takes a pointer to non-const data but only reads it.
     keep->MapScalarsThroughTable2(const_cast<double*>(values.data()), rgba, VTK_DOUBLE,
       static_cast<int>(values.size()), 1, VTK_RGBA);
   };
@@ -270,12 +271,12 @@ vtkSmartPointer<vtkLookupTable> MakeColorTable(vtkColorTransferFunction* colors,
   double upper = range[1];
   if (lower == upper)
   {
-    // A constant field; the nearest range that a table can have puts it in the middle.
+    // For a constant field, the nearest range that a table can have, with the value in the middle.
     const double half = std::max(0.5 * std::abs(lower) * 1e-6, 1e-300);
     lower -= half;
     upper += half;
   }
-  // A table: finding a colour costs a hundredth of interpolating it in CIELAB.
+  // A table lookup costs a hundredth of interpolation in CIELAB.
   std::vector<double> samples(3 * kTableSize);
   colors->GetTable(0.0, 1.0, kTableSize, samples.data());
   auto table = vtkSmartPointer<vtkLookupTable>::New();

@@ -69,7 +69,7 @@ std::vector<Light> LightsOf(vtkRenderer* renderer)
     Light light;
     light.positional = from->GetPositional() != 0;
     light.headlight = from->LightTypeIsHeadlight() != 0;
-    // VTK moves lights that belong to the camera when it renders.
+    // VTK updates camera lights during rendering.
     Vec3 focus;
     from->GetTransformedPosition(glm::value_ptr(light.position));
     from->GetTransformedFocalPoint(glm::value_ptr(focus));
