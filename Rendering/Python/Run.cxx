@@ -32,12 +32,12 @@
 namespace
 {
 using Clock = std::chrono::steady_clock;
-// Often enough for a person, and seldom enough for other threads of the interpreter.
+// Often enough for users, and seldom enough for other threads of the interpreter.
 constexpr auto kPollInterval = std::chrono::milliseconds(30);
 
-/// Grids keep their models for all who ask, and do not expect several threads at once. Whoever
-/// waits does so without the interpreter's lock, which progress and functions of Python need.
-/// Recursive: these may ask for work, too.
+/// Serialises work, because grids share their models and do not support several threads at once. A
+/// waiting thread releases the interpreter's lock, which Python progress functions and callbacks
+/// need. Recursive, because these may start work.
 std::unique_lock<std::recursive_mutex> TakeTurn()
 {
   static std::recursive_mutex oneAtATime;
@@ -48,7 +48,8 @@ std::unique_lock<std::recursive_mutex> TakeTurn()
   return turn;
 }
 
-/// Calls a function of Python with the part that is done, seldom enough, and looks for signals.
+/// Calls a Python progress function with the completed part, at most once per kPollInterval, and
+/// checks for signals.
 class ProgressCall
 {
 public:
@@ -57,7 +58,8 @@ public:
   {
   }
 
-  /// Whether work goes on; with the interpreter's lock or without. `done` may be null.
+  /// Returns false if the work must end. Works with the interpreter's lock or without. `done` may
+  /// be null.
   bool Look(const double* done)
   {
     const Clock::time_point now = Clock::now();
@@ -82,7 +84,7 @@ public:
     return goOn;
   }
 
-  /// Raises what was raised meanwhile, again. Whether there was something.
+  /// Raises the exception that the function or a signal caused. Returns false if there is none.
   bool Raise()
   {
     if (Type == nullptr)
@@ -102,7 +104,7 @@ private:
   PyObject* Trace = nullptr;
 };
 
-/// Tells Python of an algorithm's progress, and keeps what it complains of.
+/// Reports an algorithm's progress to Python, and stores its errors and warnings.
 class Watch : public vtkCommand
 {
 public:
@@ -115,7 +117,7 @@ public:
     algorithm->AddObserver(vtkCommand::ProgressEvent, this);
     algorithm->AddObserver(vtkCommand::ErrorEvent, this);
     algorithm->AddObserver(vtkCommand::WarningEvent, this);
-    // It tells once more that the algorithm failed, and of inputs that are missing.
+    // The executive reports the failure a second time, and also missing inputs.
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this);
   }
 
@@ -152,7 +154,8 @@ private:
   vtkAlgorithm* Algorithm = nullptr;
 };
 
-/// Observers of these may be functions of Python, which VTK calls without asking for the lock.
+/// Observers of these may be Python functions, which VTK calls without acquiring the interpreter's
+/// lock.
 bool OthersListen(vtkAlgorithm* algorithm)
 {
   vtkOutputWindow* window = vtkOutputWindow::GetInstance();
@@ -201,7 +204,7 @@ PyObject* Update(PyObject* /*module*/, PyObject* arguments)
   watch->End();
   if (watch->Call.Raise())
   {
-    // What was given up is not to be taken for the result.
+    // An aborted output must not be taken for a result, so the next Update repeats the work.
     algorithm->SetAbortExecute(0);
     algorithm->Modified();
     return nullptr;
@@ -211,7 +214,8 @@ PyObject* Update(PyObject* /*module*/, PyObject* arguments)
     ListOf(watch->Warnings));
 }
 
-/// Files and progress of an InputRequest; false where the arguments are others.
+/// Sets the files of an InputRequest. Returns false, with a Python exception set, for other
+/// arguments.
 bool ParseFiles(PyObject* list, pixelexact::InputRequest& request)
 {
   const Py_ssize_t count = PySequence_Size(list);
@@ -235,13 +239,15 @@ bool ParseFiles(PyObject* list, pixelexact::InputRequest& request)
 
 PyObject* cannotRead = nullptr; ///< the exception of that name
 
-/// Does `work` without the interpreter's lock. False: a Python exception is set: ValueError for
-/// files that do not go together or have no reader, CannotRead for what cannot be read.
+/// Does `work` without the interpreter's lock. Returns false with a Python exception set:
+/// ValueError for files that do not belong together or have no reader, CannotRead for files that
+/// cannot be read.
 template <class Work>
 bool ReadFiles(const Work& work)
 {
   const auto turn = TakeTurn();
-  // Readers' words are in exceptions; what the program's reading silences may speak again after it.
+  // Readers' messages are in exceptions. Restores VTK's messages, which the program's reading
+  // silences.
   const auto verbosity =
     std::min(vtkLogger::GetCurrentVerbosityCutoff(), vtkLogger::VERBOSITY_INFO);
   std::string error;
@@ -330,7 +336,7 @@ PyObject* SetThreads(PyObject* /*module*/, PyObject* arguments)
   {
     return nullptr;
   }
-  // The least one counts, so that the former goes first.
+  // TBB uses the least of all limits, so the previous limit is removed first.
   control.reset();
   if (count > 0)
   {
@@ -349,13 +355,13 @@ PyObject* GetThreads(PyObject* /*module*/, PyObject* /*arguments*/)
 PyMethodDef methods[] = {
   { "update", Update, METH_VARARGS,
     "update(algorithm, progress, may_release): errors and warnings of its Update(). progress is "
-    "None or a function of the part that is done; what it raises, and KeyboardInterrupt, ends the "
+    "None or a function of the completed part; what it raises, and KeyboardInterrupt, ends the "
     "work. The interpreter's lock is released unless may_release is false or others observe." },
   { "read", Read, METH_VARARGS,
     "read(files, step, progress): the grid and notes on it, as the program reads INPUT." },
-  { "times", Times, METH_O, "times(files): of their steps, ascending." },
+  { "times", Times, METH_O, "times(files): the times of their steps, ascending." },
   { "set_threads", SetThreads, METH_VARARGS, "set_threads(count): 0 for all processors." },
-  { "get_threads", GetThreads, METH_NOARGS, "How many threads may work at once." },
+  { "get_threads", GetThreads, METH_NOARGS, "The largest number of threads that work at once." },
   { nullptr, nullptr, 0, nullptr }
 };
 

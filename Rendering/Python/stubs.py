@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes stubs (.pyi) of wrapped modules from what their texts of help say.
+"""Writes stubs (.pyi) of wrapped modules from their help texts.
 
 Usage: stubs.py FOLDER MODULE...
 """
@@ -9,7 +9,7 @@ import re
 import sys
 from pathlib import Path
 
-# What VTK's wrapping writes for types that are Python's own.
+# Names that VTK's wrapping writes for Python's own types.
 _PLAIN = {"int", "float", "str", "bool", "None", "Any"}
 _HEAD = """# Made by stubs.py: the classes as VTK wraps them.
 from typing import Any, Sequence
@@ -18,7 +18,7 @@ from typing import Any, Sequence
 
 
 def type_of(text, known):
-    """The type of a parameter or result, Any where the wrapping does not tell."""
+    """The type of a parameter or result; Any if the help text does not state it."""
     text = text.strip()
     if text in _PLAIN or text in known:
         return text
@@ -30,7 +30,7 @@ def type_of(text, known):
 
 
 def split(parameters):
-    """At commas that are in no brackets."""
+    """Splits at commas outside brackets."""
     parts, depth, word = [], 0, ""
     for letter in parameters:
         depth += letter in "([" or -(letter in ")]")

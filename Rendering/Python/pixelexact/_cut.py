@@ -37,12 +37,12 @@ from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
 
 def _fields_of(source: Any) -> list[str]:
     if not hasattr(source, "GetNumberOfHighOrderFields"):
-        return []  # composite data: the mapper knows
+        return []  # for composite data, the mapper checks the name
     return [source.GetHighOrderFieldName(i) for i in range(source.GetNumberOfHighOrderFields())]
 
 
 def rank_in(source: Any, name: str) -> Optional[int]:
-    """The number of indices of a field of a grid, defined ones too; None where there is none."""
+    """The tensor rank of a grid's field, also of a defined one; None if there is no such field."""
     if not hasattr(source, "GetHighOrderFieldComponents"):
         return None
     defined = source.GetFieldData().HasArray(f"PixelExact.Definition.{name}")
@@ -53,8 +53,8 @@ def rank_in(source: Any, name: str) -> Optional[int]:
 
 
 def field_of(source: Any, field: Optional[FieldName]) -> Optional[str]:
-    """The field's name or expression. Raises Error for what is neither a field of a grid nor an
-    expression of its fields; of composite data the classes themselves tell."""
+    """The field's name or expression. Raises Error if it is neither a field of a grid nor an
+    expression of its fields. For composite data, the mapper reports such errors."""
     name = expression_of(field, lambda of: rank_in(source, of))
     names = _fields_of(source)
     if name is not None and names and name not in names:
@@ -73,7 +73,7 @@ def _bar_of(mapper: Any, title: str) -> Any:
     bar.SetUnconstrainedFontSize(True)
     for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         text.SetFontSize(16)
-        text.SetColor(0.5, 0.5, 0.5)  # seen on white and on black
+        text.SetColor(0.5, 0.5, 0.5)  # visible on white and on black
         text.ItalicOff()
         text.BoldOff()
         text.ShadowOff()

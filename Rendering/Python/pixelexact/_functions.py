@@ -56,9 +56,9 @@ def implicit_function(
     interpreter runs one thread at a time, so frames are traced on one core. What the function closes
     over may change: call Modified() of what is returned.
 
-    Where the function raises an exception, returns another shape or what is no finite number, the
-    picture lacks the cut, and the mapper's error tells why. KeyboardInterrupt is raised again soon
-    after the picture was given up. Threads other than the caller's cannot ask the function.
+    If the function raises an exception, returns another shape or a number that is not finite, the
+    picture lacks the cut, and the mapper's error states the reason. KeyboardInterrupt is raised
+    again soon after the picture was aborted. Only the caller's thread can call the function.
     """
     callback = vtkImplicitCallback()
     callback.AddObserver(vtkImplicitCallback.EvaluateEvent, _observer(function, "GetValues"))
