@@ -3,8 +3,8 @@
  * @class   vtkHighOrderBoundarySurface
  * @brief   faces of elements as a cut-surface
  *
- * Of the mapper's mesh: its boundary (the default), parts of that by their attributes, or all faces
- * of some elements. What is selected is added up.
+ * The faces belong to the mapper's mesh: its boundary (the default), parts of the boundary by their
+ * attributes, or all faces of some elements. Selections are combined.
  */
 
 #ifndef vtkHighOrderBoundarySurface_h
@@ -28,13 +28,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The whole boundary of the mesh, in the place of what was selected. This is the default.
+   * Selects the whole boundary of the mesh and discards other selections. This is the default.
    */
   void SelectAll();
 
   ///@{
   /**
-   * The faces of the boundary that have an attribute, as the solver numbers the boundary's parts.
+   * Selects the faces of the boundary that have an attribute, as numbered by the solver.
    */
   void AddAttribute(int attribute);
   int GetNumberOfAttributes();
@@ -43,8 +43,9 @@ public:
 
   ///@{
   /**
-   * All faces of an element, inner ones, too. Its number is that of its cell in the source, as in
-   * vtkHighOrderMapper::GetBuffers; of composite data that of a cell of every block.
+   * Selects all faces of an element, including inner ones. Its number is that of its cell in the
+   * source, as in vtkHighOrderMapper::GetBuffers; for composite data, that of a cell of every
+   * block.
    */
   void AddElement(vtkIdType element);
   int GetNumberOfElements();

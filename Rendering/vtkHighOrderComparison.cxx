@@ -35,14 +35,14 @@ namespace
 {
 using namespace pixelexact;
 
-/// What is told of a linear surface.
+/// The numbers of a linear surface.
 struct Row
 {
   std::int64_t triangles;
   PictureErrors errors;
 };
 
-/// Adds a column of a number of each row.
+/// Adds a column with a number of each row.
 template <class Array, class Number>
 void AddColumn(
   vtkTable* table, const char* name, const std::vector<Row>& rows, const Number& number)
@@ -92,7 +92,7 @@ void Fill(vtkTable* table, const std::vector<Row>& rows, double range)
   }
 }
 
-/// Of finite values at exact pixels.
+/// The range of the finite values at exact pixels.
 std::array<double, 2> RangeOf(const Picture& picture)
 {
   std::array<double, 2> range{ std::numeric_limits<double>::infinity(),

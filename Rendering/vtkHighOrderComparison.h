@@ -3,20 +3,20 @@
  * @class   vtkHighOrderComparison
  * @brief   how far linear cut-surfaces are from the exact picture, pixel by pixel
  *
- * Port 0 takes a grid that carries high-order coefficients, or composite data of such grids; port 1
- * any number of polygonal surfaces with a point array of the field's name, made by whatever
- * pipeline: vtkHighOrderLinearCut, vtkCutter behind vtkHighOrderSubdivide or
- * vtkHighOrderLinearResample, somebody else's. The camera's rays are cast at the exact cut-surface
- * and at each linear one, whose corners' values are interpolated linearly, as a rasteriser does.
+ * Port 0 takes a grid with high-order coefficients, or composite data of such grids. Port 1 takes
+ * any number of polygonal surfaces with a point array of the field's name, from any pipeline:
+ * vtkHighOrderLinearCut, or vtkCutter after vtkHighOrderSubdivide or vtkHighOrderLinearResample, or
+ * others. The camera's rays are cast at the exact cut-surface and at each linear one, whose
+ * corners' values are interpolated linearly, as a rasteriser does.
  *
- * The output is a table with a row for each surface. Counts are pixels:
- * Surface, its number; Triangles; Shown, to which the exact picture gives a value; Missing, of
- * these, without one in the linear picture; Invented, with one where there is nothing; LargestError
- * and MeanError, of those with a value in both, and ErrorAtShare, which so many of the shown do not
- * exceed (a missing value counts as infinite), over the exact picture's range; WrongColors, whose
- * colour is another one; and, where there are contour values, ContourPixels, ContourMissed,
- * ContourDisplaced, ContourInvented, ContourFarthest (in pixels; see
- * Trace/Compare/PictureErrors.h).
+ * The output is a table with a row for each surface. Counts are pixels. Columns: Surface, its
+ * number; Triangles; Shown, pixels with a value in the exact picture; Missing, of these, pixels
+ * without a value in the linear picture; Invented, pixels with a value where the exact picture
+ * shows nothing; LargestError and MeanError, over pixels with a value in both, relative to the
+ * exact picture's range; ErrorAtShare, the error that the given share of the shown pixels does not
+ * exceed (a missing value counts as infinite); WrongColors, pixels with another colour. With
+ * contour values there are also ContourPixels, ContourMissed, ContourDisplaced, ContourInvented and
+ * ContourFarthest (in pixels; see Trace/Compare/PictureErrors.h).
  */
 
 #ifndef vtkHighOrderComparison_h
@@ -45,12 +45,12 @@ public:
   vtkTypeMacro(vtkHighOrderComparison, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Includes the cut function's and the camera's.
+  /// Includes the times of cut function and camera.
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * The linear surfaces' port.
+   * The port of the linear surfaces.
    */
   void AddSurfaceConnection(vtkAlgorithmOutput* surface);
   void RemoveAllSurfaces();
@@ -58,7 +58,7 @@ public:
 
   ///@{
   /**
-   * The function whose zeros are the cut-surface; there must be one.
+   * The function whose zeros are the cut-surface; required.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Where from the surfaces are seen. Null, the default: all of the grid, in parallel, along
-   * the normal of a plane, and of other surfaces from (1, 1, 1).
+   * The camera of the pictures. Null, the default: a parallel view of the whole grid, along the
+   * normal of a plane, or from (1, 1, 1) for other surfaces.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * Pixels across and up. Default 1000 each.
+   * Pixels across and up. The default is 1000 each.
    */
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
@@ -91,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Which component of a field, from 0, or -1, the default: the value of a scalar, the magnitude
-   * of a vector.
+   * The component of the field, from 0, or -1, the default: the value of a scalar, the magnitude of
+   * a vector.
    */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Colours of the map, which spans the values of the exact picture. Default 256.
+   * Number of colours of the map, which spans the values of the exact picture. The default is 256.
    */
   vtkSetClampMacro(NumberOfColors, int, 1, 1000000);
   vtkGetMacro(NumberOfColors, int);
@@ -108,7 +108,7 @@ public:
 
   ///@{
   /**
-   * Which part of the shown pixels ErrorAtShare is about. Default 0.99.
+   * The share of the shown pixels for ErrorAtShare. The default is 0.99.
    */
   vtkSetClampMacro(Share, double, 0.001, 1.0);
   vtkGetMacro(Share, double);
@@ -116,7 +116,7 @@ public:
 
   ///@{
   /**
-   * Values of contours; none by default. They must be finite.
+   * Values of contours, which must be finite; the default is none.
    */
   void SetContourValue(int i, double value);
   void SetNumberOfContours(int number);
@@ -137,7 +137,7 @@ private:
   vtkHighOrderComparison(const vtkHighOrderComparison&) = delete;
   void operator=(const vtkHighOrderComparison&) = delete;
 
-  /// Throws Error. False where it was aborted.
+  /// Throws Error. Returns false if it was aborted.
   bool Compare(vtkDataObject* grid, vtkInformationVector* surfaces, vtkTable* output);
 
   std::unique_ptr<pixelexact::SeenCut> Cut;

@@ -16,8 +16,8 @@
 struct vtkHighOrderContourMapper::Internals
 {
   pixelexact::ContourList values;
-  pixelexact::ContourList drawn;               ///< of the last frame, where their number is given
-  std::map<int, std::array<double, 3>> colors; ///< of single ones
+  pixelexact::ContourList drawn;               ///< values of the last frame, with ContourCount
+  std::map<int, std::array<double, 3>> colors; ///< of single contours
 };
 
 //------------------------------------------------------------------------------

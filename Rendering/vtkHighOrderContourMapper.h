@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderContourMapper
- * @brief   superclass of vtkHighOrderMapper: what is asked for of contours
+ * @brief   superclass of vtkHighOrderMapper: the settings of contours
  *
  * Contours are the lines on which the field has given values, drawn over the surfaces' colours.
- * Other values, colours and widths trace nothing. Coarse frames (see
+ * Changes of values, colours and widths trace nothing. Coarse frames (see
  * vtkHighOrderMapper::SetProgressive) have no contours.
  */
 
@@ -34,11 +34,11 @@ public:
 
   ///@{
   /**
-   * The values. The functions are those of vtkContourFilter; there are none by default.
-   * GenerateContourValues makes evenly spaced values, both ends among them, as that does; a number
-   * of round values inside the range is SetContourCount's. Layers have the same
-   * values, or their own (vtkHighOrderLayer). A value that is not finite is an error when it is
-   * drawn; one that the field does not have draws nothing, one that is there twice is drawn once.
+   * The values. The functions are those of vtkContourFilter; the default is no values.
+   * GenerateContourValues generates evenly spaced values, including both ends, as vtkContourFilter
+   * does; SetContourCount chooses round values inside the range. Layers have the same values, or
+   * their own (vtkHighOrderLayer). A value that is not finite causes an error when the frame is
+   * drawn. A value that the field does not take draws nothing; duplicates are drawn once.
    */
   void SetContourValue(int i, double value);
   double GetContourValue(int i);
@@ -52,10 +52,10 @@ public:
 
   ///@{
   /**
-   * Above 0: instead of these values so many round ones, strictly inside the range of the colours
-   * of each frame (the layer's lookup table; by logarithms where it has a logarithmic scale), as
+   * Above 0: replaces these values by this number of round values, strictly inside the range of the
+   * colours of each frame (the layer's lookup table; in logarithms if its scale is logarithmic), as
    * the command-line program's --contours N. GetNumberOfContours, GetContourValue and
-   * GetContourValues give those of the last frame then. 0, the default: the values that are set.
+   * GetContourValues then return those of the last frame. 0, the default: the values above.
    */
   vtkSetClampMacro(ContourCount, int, 0, 10000);
   vtkGetMacro(ContourCount, int);
@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * The contours' width in pixels, 0.1 to 32; another one is an error when it is drawn. The default
-   * is 1.5.
+   * The contours' width in pixels, 0.1 to 32. Other widths cause an error when the frame is drawn.
+   * The default is 1.5.
    */
   vtkSetMacro(ContourWidth, double);
   vtkGetMacro(ContourWidth, double);
@@ -72,9 +72,9 @@ public:
 
   ///@{
   /**
-   * The contours' colour; the default is black. That of a single one goes before it, until
-   * RemoveColorsOfContours; and with ContourScalarVisibility on (the default is off) each has the
-   * colour that its value has in the lookup table, also where surfaces have one colour.
+   * The contours' colour; the default is black. The colour of a single contour takes precedence
+   * until RemoveColorsOfContours. With ContourScalarVisibility on (the default is off), each
+   * contour has its value's colour in the lookup table, even if surfaces have one colour.
    */
   vtkSetVector3Macro(ContourColor, double);
   vtkGetVector3Macro(ContourColor, double);
@@ -87,10 +87,9 @@ public:
 
   ///@{
   /**
-   * Whether pixels of which it could not be decided whether a contour goes through them have a
-   * colour of their own (the default is teal). Else, the default, they show the lines between the
-   * values at pixels' corners, as if none was missing; how many there are
-   * vtkHighOrderMapper::GetNumberOfUndecidedContourPixels tells.
+   * Shows pixels for which it is undecided whether a contour crosses them in a colour of their own
+   * (the default is teal). If off, the default, they show the lines that follow from the values at
+   * pixels' corners; vtkHighOrderMapper::GetNumberOfUndecidedContourPixels returns their count.
    */
   vtkSetMacro(ShowUndecidedContours, bool);
   vtkGetMacro(ShowUndecidedContours, bool);
@@ -101,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Whether contours are looked for inside of pixels, too, on whose edges there are none: closed
-   * loops smaller than a pixel, on planes and quadrics. Frames take longer. The default is off.
+   * Searches contours also inside pixels whose edges they do not cross: closed loops smaller than a
+   * pixel, on planes and quadrics. Frames take longer. The default is off.
    */
   vtkSetMacro(ContourInterior, bool);
   vtkGetMacro(ContourInterior, bool);
@@ -111,8 +110,8 @@ public:
 
   ///@{
   /**
-   * How many times as much as usual may be spent on pixels that are hard to decide, 0.001 to 1000.
-   * What is left is undecided. The default is 1: about 40 s of one core for a frame.
+   * Factor on the work budget for pixels that are hard to decide, 0.001 to 1000. Pixels are
+   * undecided when the budget is exhausted. The default is 1: about 40 s of one core for a frame.
    */
   vtkSetClampMacro(ContourEffort, double, 0.001, 1000.0);
   vtkGetMacro(ContourEffort, double);
@@ -120,9 +119,9 @@ public:
 
   ///@{
   /**
-   * From 0 to 8: pixels are proven as in the paper, by interval arithmetic along their edges, which
-   * are halved so many times. -1, the default: by bounds of second derivatives, which decide more.
-   * Not with ContourInterior.
+   * From 0 to 8: pixels are proven as in the paper, by interval arithmetic along their edges, with
+   * this number of subdivisions. -1, the default: by bounds of second derivatives, which decide
+   * more pixels. Excludes ContourInterior.
    */
   vtkSetClampMacro(ContourSubdivisions, int, -1, 8);
   vtkGetMacro(ContourSubdivisions, int);
@@ -130,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Whether contours are drawn without the colours of the surfaces, which are transparent then. The
-   * default is off.
+   * Draws contours without the colours of the surfaces, which are then transparent. The default is
+   * off.
    */
   vtkSetMacro(ContoursOnly, bool);
   vtkGetMacro(ContoursOnly, bool);
@@ -140,9 +139,9 @@ public:
 
   ///@{
   /**
-   * Whether values are written along the contours, where these are straight and apart, in letters
-   * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
-   * through: a warning says so.
+   * Writes values along the contours where these are straight and apart, in letters
+   * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. If a layer is translucent,
+   * there are no labels, and a warning is given.
    */
   vtkSetMacro(ContourLabels, bool);
   vtkGetMacro(ContourLabels, bool);
@@ -159,12 +158,13 @@ protected:
 
 #ifndef __VTK_WRAP__
   /**
-   * On surfaces without values of their own.
+   * The rule for surfaces without values of their own.
    */
   pixelexact::ContourRule ContoursOfAll() const;
   pixelexact::ContourAppearance AppearanceOfContours() const;
   /**
-   * By layer, of the frame that was drawn: for those who ask for the values of ContourCount.
+   * Takes over the drawn frame's values, by layer, for the functions that return the values of
+   * ContourCount.
    */
   void TakeContours(const std::vector<std::vector<double>>& drawn);
 #endif

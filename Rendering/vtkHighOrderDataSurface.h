@@ -26,14 +26,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The data as a pipeline, which Update brings up to date.
+   * The data as a pipeline, which Update updates.
    */
   void SetInputConnection(vtkAlgorithmOutput* output);
 
   void Update() override;
 
   /**
-   * Changes with the input, too.
+   * Includes the time of the input.
    */
   vtkMTimeType GetMTime() override;
 

@@ -3,23 +3,22 @@
  * @class   vtkHighOrderDifference
  * @brief   how two solutions differ on a cut-surface, pixel by pixel
  *
- * Port 0 takes the first grid, port 1 the second one: of another mesh, order, solver or time. Each
- * carries high-order coefficients, or is composite data of such grids. The camera's rays are cast
- * at the cut-surface; of each pixel the nearest point in either mesh is taken, and both fields are
- * evaluated there exactly, each by location in its own mesh.
+ * Port 0 takes the first grid, port 1 the second one, of any mesh, order, solver or time. Each has
+ * high-order coefficients, or is composite data of such grids. The camera's rays are cast at the
+ * cut-surface. At each pixel's nearest point in either mesh, both fields are evaluated exactly,
+ * each by location in its own mesh.
  *
  * The output is an image with a point for each pixel, lower left first, and these point arrays:
- * Value, the first field less the second one's, NaN where only one has a value; Value_lower and
- * Value_upper, proven to hold it; First and Second; Side: 0 nothing, 1 both have a value, 2
- * unknown, 3 the first alone, 4 the second alone; Seen, the grid that Element, Xi, Position and
- * Depth are of: 1, 2, or 0 for none; Verdict, 1 where both have a value, 2 where that is unknown.
+ * Value, the first field minus the second one, NaN where only one has a value; Value_lower and
+ * Value_upper, proven to enclose it; First and Second; Side: 0 nothing, 1 both have a value, 2
+ * unknown, 3 only the first, 4 only the second; Seen, the grid that Element, Xi, Position and Depth
+ * belong to: 1, 2, or 0 for none; Verdict: 1 where both have a value, 2 where that is unknown.
  *
  * FieldData has numbers over the pixels in which both have a finite value: Largest, of absolute
- * values, LargestAt, its point, Mean, RootMeanSquare, FirstRootMeanSquare, of the first field's
- * values, and with bounds LargestBound, how far any difference is off at most (of pixels with a
- * finite bound), Unbounded, pixels without one, and LargestTrue, two numbers that are proven to
- * hold the largest true difference between them; and counts of pixels: Both, OnlyFirst, OnlySecond,
- * Unknown, NotFinite.
+ * values; LargestAt, its point; Mean; RootMeanSquare; FirstRootMeanSquare, of the first field's
+ * values. With bounds: LargestBound, the largest error of a difference (over pixels with a finite
+ * bound); Unbounded, pixels without one; LargestTrue, two numbers that are proven to enclose the
+ * largest true difference. Counts of pixels: Both, OnlyFirst, OnlySecond, Unknown, NotFinite.
  */
 
 #ifndef vtkHighOrderDifference_h
@@ -47,12 +46,12 @@ public:
   vtkTypeMacro(vtkHighOrderDifference, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Includes the cut function's and the camera's.
+  /// Includes the times of cut function and camera.
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * The function whose zeros are the cut-surface; there must be one.
+   * The function whose zeros are the cut-surface; required.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
@@ -60,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Where from the surface is seen. Null, the default: all of the first grid, in parallel, along
-   * the normal of a plane, and of other surfaces from (1, 1, 1).
+   * The camera of the picture. Null, the default: a parallel view of the whole first grid, along
+   * the normal of a plane, or from (1, 1, 1) for other surfaces.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -69,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Pixels across and up. Default 1000 each.
+   * Pixels across and up. The default is 1000 each.
    */
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
@@ -86,7 +85,8 @@ public:
 
   ///@{
   /**
-   * The field of the second grid, of as many components; empty, the default: of the same name.
+   * The field of the second grid, with the same number of components; empty, the default: the same
+   * name.
    */
   vtkSetMacro(SecondFieldName, std::string);
   vtkGetMacro(SecondFieldName, std::string);
@@ -94,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Which component of the difference, from 0, or -1, the default: the difference of scalars, the
-   * magnitude of a vector's.
+   * The component of the difference, from 0, or -1, the default: the difference of scalars, the
+   * magnitude of a vector's difference.
    */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
@@ -103,7 +103,7 @@ public:
 
   ///@{
   /**
-   * Whether to prove bounds, which takes some ten times as long as values. On by default.
+   * Proves bounds, which takes about ten times as long as values. The default is on.
    */
   vtkSetMacro(Bounds, bool);
   vtkGetMacro(Bounds, bool);
@@ -126,7 +126,7 @@ private:
   vtkHighOrderDifference(const vtkHighOrderDifference&) = delete;
   void operator=(const vtkHighOrderDifference&) = delete;
 
-  /// Throws Error. False where it was aborted.
+  /// Throws Error. Returns false if it was aborted.
   bool Compare(vtkDataObject* first, vtkDataObject* second, vtkImageData* output);
 
   std::unique_ptr<pixelexact::SeenCut> Cut;

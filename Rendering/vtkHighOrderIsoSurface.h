@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderIsoSurface
- * @brief   where a field has a value, as a cut-surface
+ * @brief   iso-surface of a field as a cut-surface
  *
- * Of the mapper's mesh and one of its fields, which need not be the field that is shown. A value
- * that the field is proven to have nowhere is an error, which names the field's range.
+ * Uses the mapper's mesh and one of its fields, which may differ from the displayed field. A value
+ * that the field is proven not to take is an error, which names the field's range.
  */
 
 #ifndef vtkHighOrderIsoSurface_h
@@ -32,7 +32,7 @@ public:
 
   ///@{
   /**
-   * The field. Empty (the default): the first one that the grid carries.
+   * The field. Empty (the default): the grid's first field.
    */
   virtual void SetFieldName(const char* name);
   vtkGetCharFromStdStringMacro(FieldName);
@@ -40,8 +40,8 @@ public:
 
   ///@{
   /**
-   * A component, counted from 0, or MAGNITUDE (the default), which is the value itself of a field
-   * that has one component.
+   * A component, counted from 0, or MAGNITUDE (the default); for a field with one component this is
+   * the signed value.
    */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
@@ -57,9 +57,9 @@ public:
 
   ///@{
   /**
-   * Whether the surface may be nowhere. Off (the default): a value that no element has is an error.
-   * On: only one beyond the values of the whole mesh. For surfaces with vtkHighOrderJumpWalls, as a
-   * field may have a value nowhere and jump across it.
+   * Allows an empty surface. Off (the default): a value that no element takes is an error. On: only
+   * a value outside the range of the whole mesh is an error. For surfaces with
+   * vtkHighOrderJumpWalls, because a field may jump across a value without taking it.
    */
   vtkSetMacro(MayBeEmpty, bool);
   vtkGetMacro(MayBeEmpty, bool);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderJumpWalls
- * @brief   where a field jumps across a value between two elements, as a cut-surface
+ * @brief   walls where a field jumps across a value between two elements, as a cut-surface
  *
- * The parts of faces between elements that a vtkHighOrderIsoSurface of the same field, component
- * and value lacks to be the boundary between less and more: there the values on the two sides are
- * proven to lie on different sides of the value. Of a field that is continuous there are none, and
- * nothing is drawn. Values on a wall are those of one of the two elements.
+ * The parts of faces between elements where the field jumps across the value: the values on the two
+ * sides are proven to lie on different sides of it. Together with a vtkHighOrderIsoSurface of the
+ * same field, component and value they form the boundary between smaller and larger values. A
+ * continuous field has no walls, and nothing is drawn. Values on a wall are those of one of the two
+ * elements.
  *
- * Meant for a vtkHighOrderLayer of its own, in a colour that tells walls from the surface.
+ * Use it in a vtkHighOrderLayer of its own, with a colour that distinguishes walls from the
+ * surface.
  */
 
 #ifndef vtkHighOrderJumpWalls_h

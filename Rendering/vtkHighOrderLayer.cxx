@@ -58,7 +58,7 @@ vtkHighOrderSurface* vtkHighOrderLayer::GetSurface()
 //------------------------------------------------------------------------------
 void vtkHighOrderLayer::SetFieldName(const char* name)
 {
-  // vtkSetStdStringFromCharMacro of VTK 9.1 calls Modified for the same name, too.
+  // In VTK 9.1, vtkSetStdStringFromCharMacro calls Modified also for an unchanged name.
   const std::string wanted = name != nullptr ? name : "";
   if (this->FieldName != wanted)
   {

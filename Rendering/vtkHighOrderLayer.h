@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderLayer
- * @brief   a cut-surface of a vtkHighOrderMapper with a look of its own
+ * @brief   a cut-surface of a vtkHighOrderMapper with an appearance of its own
  *
- * What is not set is the mapper's: field, lookup table, lights. Several layers of one mapper are
- * seen by the same rays: where the nearest surface lies outside of the mesh the next one shows, and
- * translucent ones let those behind show through, in the right order.
+ * Settings that are not set are the mapper's: field, lookup table, lights. The same rays meet all
+ * layers of a mapper. If the nearest surface lies outside the mesh the next one shows, and layers
+ * behind translucent ones show through in depth order.
  */
 
 #ifndef vtkHighOrderLayer_h
@@ -36,7 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Which components of a vector field make the value: see SetComponent.
+   * Values of SetComponent.
    */
   enum
   {
@@ -46,9 +46,9 @@ public:
 
   ///@{
   /**
-   * The surface: a function as in vtkHighOrderMapper::SetCutFunction, or a surface that is none.
-   * One of them is required, and a layer has one: to set one takes away the other; to set null
-   * leaves it.
+   * The surface: a function as in vtkHighOrderMapper::SetCutFunction, or a vtkHighOrderSurface. A
+   * layer needs exactly one of them. Setting one removes the other; setting null does not remove
+   * the other.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
@@ -58,7 +58,7 @@ public:
 
   ///@{
   /**
-   * The field to show. Empty (the default): the mapper's.
+   * The field. Empty (the default): the mapper's.
    */
   virtual void SetFieldName(const char* name);
   vtkGetCharFromStdStringMacro(FieldName);
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * A component, counted from 0; MAGNITUDE; or BY_LOOKUP_TABLE (the default): as the lookup table's
-   * VectorMode and VectorComponent say.
+   * A component, counted from 0; MAGNITUDE; or BY_LOOKUP_TABLE (the default), which uses the lookup
+   * table's VectorMode and VectorComponent.
    */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
@@ -94,8 +94,9 @@ public:
 
   ///@{
   /**
-   * Whether it has contours (the default is on): those of the mapper, or, where there are any, of
-   * these values (see vtkHighOrderMapper::SetContourValue), in the mapper's ContourColor.
+   * Draws contours (the default is on): those of these values, if there are any (see
+   * vtkHighOrderMapper::SetContourValue), in the mapper's ContourColor, or else the mapper's
+   * contours.
    */
   vtkSetMacro(ContourVisibility, bool);
   vtkGetMacro(ContourVisibility, bool);
@@ -109,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Above 0: instead of these values so many round ones, strictly inside the range of the layer's
-   * colours, as vtkHighOrderMapper::SetContourCount. 0, the default: the values above.
+   * Above 0: replaces these values by this number of round values, strictly inside the range of the
+   * layer's colours, as vtkHighOrderMapper::SetContourCount. 0, the default: the values above.
    */
   vtkSetClampMacro(ContourCount, int, 0, 10000);
   vtkGetMacro(ContourCount, int);
@@ -118,7 +119,7 @@ public:
 
   ///@{
   /**
-   * From 0 to 1 (the default), times the actor's.
+   * Opacity, 0 to 1 (the default), multiplied by the actor's.
    */
   vtkSetClampMacro(Opacity, double, 0.0, 1.0);
   vtkGetMacro(Opacity, double);
@@ -126,7 +127,8 @@ public:
 
   ///@{
   /**
-   * Values in single precision: off by some roundings of a float. The default is off.
+   * Computes values in single precision, with an error of some roundings of a float. The default is
+   * off.
    */
   vtkSetMacro(SinglePrecision, bool);
   vtkGetMacro(SinglePrecision, bool);
@@ -135,9 +137,9 @@ public:
 
   ///@{
   /**
-   * Whether the renderer's lights shine on the layer, as the actor's property says (the default is
-   * on), and whether they do where it is a plane, whose colours are shown as they are unless this
-   * is on (the default is off).
+   * Lighting: the renderer's lights illuminate the layer, with the actor's property. The default is
+   * on. LightFlat: they also illuminate planes, which otherwise show unlit colours. The default is
+   * off.
    */
   vtkSetMacro(Lighting, bool);
   vtkGetMacro(Lighting, bool);
@@ -149,7 +151,7 @@ public:
 
   ///@{
   /**
-   * Whether it is there at all. The default is on.
+   * Draws the layer. The default is on.
    */
   vtkSetMacro(Visibility, bool);
   vtkGetMacro(Visibility, bool);
@@ -157,7 +159,7 @@ public:
   ///@}
 
   /**
-   * Changes with function, surface and table, too.
+   * Includes the times of function, surface and table.
    */
   vtkMTimeType GetMTime() override;
 

@@ -49,19 +49,19 @@ struct vtkHighOrderMapper::Internals
   pixelexact::FrameDrawer Drawer;
   pixelexact::RenderLater Later;
   pixelexact::RenderCounters PickCounters;
-  pixelexact::Renderer Picks{ PickCounters }; ///< of pixels apart from frames
+  pixelexact::Renderer Picks{ PickCounters }; ///< for single pixels
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
   std::array<double, 2> SeenRange;
 
-  std::shared_ptr<const pixelexact::Appearance> Given; ///< null: by the settings
-  std::optional<std::size_t> TableLayer; ///< of the last view: one that reads the mapper's table
+  std::shared_ptr<const pixelexact::Appearance> Given; ///< null: the settings apply
+  std::optional<std::size_t> TableLayer; ///< a layer of the last view that reads the mapper's table
 
-  /// All that mapper and actor determine of a view.
+  /// The view that mapper and actor determine.
   pixelexact::View ViewOf(vtkHighOrderMapper* self, vtkActor* actor);
   [[nodiscard]] pixelexact::RangeRule RuleOf(
     vtkHighOrderMapper* self, vtkScalarsToColors* table) const;
-  /// That the mapper's table got.
+  /// The range that the mapper's table got.
   [[nodiscard]] pixelexact::ValueRange RangeIn(const pixelexact::Renderer& frames) const;
   pixelexact::ContourCounters CountContours();
 };
@@ -172,7 +172,7 @@ pixelexact::ContourCounters vtkHighOrderMapper::Internals::CountContours()
 vtkHighOrderMapper::vtkHighOrderMapper()
   : Data(std::make_unique<Internals>())
 {
-  // None: that of 0 is a choice.
+  // No component is chosen; 0 would be a choice.
   this->ArrayComponent = -1;
 }
 
@@ -214,7 +214,7 @@ vtkCompositeDataSet* vtkHighOrderMapper::GetCompositeInput()
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::SetFieldName(const char* name)
 {
-  // vtkSetStdStringFromCharMacro of VTK 9.1 calls Modified for the same name, too.
+  // In VTK 9.1, vtkSetStdStringFromCharMacro calls Modified also for an unchanged name.
   const std::string wanted = name != nullptr ? name : "";
   if (this->FieldName != wanted)
   {
@@ -345,7 +345,7 @@ double* vtkHighOrderMapper::GetBounds()
   }
   catch (const pixelexact::Error&)
   {
-    // Render says what is wrong; until then the points' box lets a camera be placed.
+    // Render reports the error; until then the points' box allows a camera to be placed.
     if (vtkUnstructuredGrid* grid = this->GetInput())
     {
       grid->GetBounds(this->Bounds);
@@ -421,7 +421,7 @@ void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   const bool late = actor->IsRenderingTranslucentPolygonalGeometry();
   auto part = late ? pixelexact::FramePart::Translucent : pixelexact::FramePart::Opaque;
-  // Then there is no other phase.
+  // In this case there is no other phase.
   if (late ? actor->GetForceTranslucent() : actor->GetForceOpaque())
   {
     part = pixelexact::FramePart::All;
@@ -474,7 +474,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
       drawer.Select(view, work, renderer, actor, this, progress);
       return;
     }
-    // The opaque phase of the same picture has done that.
+    // The opaque phase of the same picture has refined the frame.
     work.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
     work.seconds = this->SecondsToTrace(window);
     drawer.Draw(view, work, drawn, renderer, actor, this, progress);
@@ -515,7 +515,7 @@ double vtkHighOrderMapper::SecondsToTrace(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::TakeRange(const pixelexact::Renderer& frames)
 {
-  // Nothing is modified: the range follows from what was.
+  // Does not call Modified, because the range follows from earlier changes.
   if (const pixelexact::ValueRange range = this->Data->RangeIn(frames))
   {
     std::copy(range->begin(), range->end(), this->ScalarRange);
@@ -534,7 +534,7 @@ void vtkHighOrderMapper::TakeContours(const pixelexact::Renderer& frames)
 std::vector<std::string> vtkHighOrderMapper::Complaints(
   const pixelexact::Renderer& frames, vtkActor* actor)
 {
-  // Windows draw what is seen through sheet by sheet.
+  // Windows draw translucent layers sheet by sheet.
   const bool bySheets =
     frames.LastView().appearance.bySheets && pixelexact::HasTranslucent(frames.LastView().scene);
   const bool translucent = frames.LastView().appearance.bySheets &&
@@ -543,7 +543,7 @@ std::vector<std::string> vtkHighOrderMapper::Complaints(
     this->ScalarVisibility || (this->ContourScalarVisibility && frames.LastContours() != nullptr);
   std::vector<std::string> texts =
     pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
-  // One plane that is not opaque has nothing behind it.
+  // A single translucent plane has nothing behind it.
   if (this->ContourLabels && bySheets)
   {
     texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
@@ -642,7 +642,8 @@ void vtkHighOrderMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::CreateDefaultLookupTable()
 {
-  // The superclass looks for texts among the input's arrays, which it gets as all others do.
+  // The superclass would search texts among the arrays of its input, which is the empty
+  // vtkPolyData.
   if (this->LookupTable != nullptr)
   {
     this->LookupTable->UnRegister(this);

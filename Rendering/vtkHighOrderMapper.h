@@ -3,50 +3,52 @@
  * @class   vtkHighOrderMapper
  * @brief   draws a high-order field on cut-surfaces, every pixel from the exact field
  *
- * Takes a vtkUnstructuredGrid that carries PixelExact's arrays (vtkHighOrderGrid, or what
- * vtkUnstructuredGridToHighOrderGrid made), or composite data of such, and works with a stock
- * vtkActor: for each pixel the point where its ray meets a cut-surface is found, and the field's
- * own polynomials are evaluated there. There is no mesh of triangles and no interpolation. Pixels
- * and depths go into the framebuffer, so that ordinary geometry hides the cut and is hidden by it,
- * to the pixel.
+ * Takes a vtkUnstructuredGrid with PixelExact's arrays (vtkHighOrderGrid, or the output of
+ * vtkUnstructuredGridToHighOrderGrid), or composite data of such grids, and works with a stock
+ * vtkActor. For each pixel, it finds the point where the pixel's ray meets a cut-surface and
+ * evaluates the field's own polynomials there. It uses no mesh of triangles and no interpolation.
+ * Pixels and depths go into the framebuffer, so that ordinary geometry and the cut hide each other
+ * exactly per pixel.
  *
- * - What is cut: vtkHighOrderSceneMapper. Functions and surfaces are written in the data's
+ * - Surfaces: see vtkHighOrderSceneMapper. Functions and surfaces are given in the data's
  *   coordinates; the actor's matrix moves cut and field together.
- * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
- *   first field that the grid carries.
- * - Which component of vectors: SetComponent; else that of ColorByArrayComponent; else the lookup
- *   table's VectorMode and VectorComponent, which is the magnitude for the tables that the mapper
- *   makes (SetColorMap, or where none was set).
- * - Colours: the lookup table, over the range of the field, of the cut, or a ScalarRange that was
- * set (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
- *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
- *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
- * - Contours of any number of values: vtkHighOrderContourMapper.
- * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
- *   their colours as they are unless LightFlat is on.
- * - Opacity and visibility are the actor's, clipping planes and the resolution of coincident
- *   topology (polygon offset) the mapper's. What else stock mappers honour is honoured, or refused
- *   by an error, or said to have no effect by a warning; the whole table is in
- *   Module/Documentation/windows.md. Errors and warnings are told once, not in each frame.
+ * - Field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
+ *   grid's first field.
+ * - Component of vectors: SetComponent; else that of ColorByArrayComponent; else the lookup table's
+ *   VectorMode and VectorComponent, which is the magnitude for tables that the mapper creates
+ *   (SetColorMap, or by default).
+ * - Colours: the lookup table, over the range of the field, of the cut, or a given ScalarRange (see
+ *   SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
+ *   ScalarVisibility off, the actor's colour. Pixels with an undecided element get the
+ *   UnknownColor. EdgeVisibility draws lines between elements, of width LineWidth.
+ * - Contours of any number of values: see vtkHighOrderContourMapper.
+ * - Light: the renderer's lights, with the surface's exact normals and the actor's property; planes
+ *   are not lit unless LightFlat is on.
+ * - Opacity and visibility are the actor's; clipping planes and the resolution of coincident
+ *   topology (polygon offset) are the mapper's. Each other setting of stock mappers has its usual
+ *   effect, or gives an error, or gives a warning that it has no effect.
+ *   Module/Documentation/windows.md has the whole table. Each error and warning is reported once,
+ *   not in each frame.
  *
- * What is kept: the field's locator while the grid is unchanged, and for each renderer, actor and
- * eye (of stereo windows) the last frame while view and scene are; a changed lookup table only
- * recolours it. See GetNumberOfTraces().
+ * The mapper keeps the field's locator while the grid is unchanged. For each renderer, actor and
+ * eye (of stereo windows) it keeps the last frame while view and scene are unchanged. A changed
+ * lookup table only recolours it. See GetNumberOfTraces().
  *
- * While somebody moves the scene (a window with an interactor that wants a frame each second or
- * more often, its DesiredUpdateRate) and exact frames take longer, coarse ones are shown: blocks of
- * 16 or 4 pixels in both directions with the colour of one. Further renders of the same view refine
- * them; when the window can wait, the frame is completed, and is the same, to the bit, as one that
- * was made at once. Pictures that vtkWindowToImageFilter renders are complete, too.
+ * While the user moves the scene (in a window with an interactor whose DesiredUpdateRate is one
+ * frame per second or more) and exact frames take longer, the mapper shows coarse frames: blocks of
+ * 16 x 16 or 4 x 4 pixels with the colour of one pixel. Further renders of the same view refine
+ * them. When the window has time, the frame is completed, and equals, to the bit, a frame that was
+ * traced at once. Pictures that vtkWindowToImageFilter renders are always complete.
  *
  * Layers that are not opaque are drawn with the renderer's translucent geometry, sheet by sheet
  * with their own depths.
  *
  * Picking: VTK's hardware selection (vtkPropPicker, vtkHardwareSelector, vtkRenderedAreaPicker)
- * sees the pixels as those of the actor, each with the number of its source cell;
- * vtkHighOrderPicker says all that is known of a pixel. There are no polygons: others who ask for
- * the mapper's input (vtkCellPicker, vtkPointPicker, exporters) get an empty vtkPolyData and a
- * warning, once between two renders, since the outside of the mesh is not what is seen.
+ * selects the pixels as those of the actor, each with the number of its source cell.
+ * vtkHighOrderPicker reports all data of a pixel. The mapper has no polygons. Other callers that
+ * request the mapper's input (vtkCellPicker, vtkPointPicker, exporters) get an empty vtkPolyData
+ * and a warning, once between two renders, because the outside of the mesh is not what the picture
+ * shows.
  */
 
 #ifndef vtkHighOrderMapper_h
@@ -87,12 +89,13 @@ public:
 
   ///@{
   /**
-   * The grid. It may be a plain vtkUnstructuredGrid, as files and filters give them back; what
-   * counts are its arrays. Or composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
-   * vtkPartitionedDataSetCollection) whose leaves are such grids: their elements are one scene, of
-   * the fields that all of them have, and the coefficients are copied. GetInput is null then, else
-   * GetCompositeInput. Through vtkMapper's or vtkAlgorithm's functions (vtkMapper::GetInput,
-   * GetInputDataObject) the input is an empty vtkPolyData: see the class's description.
+   * The grid. It may be a plain vtkUnstructuredGrid, as files and filters return it, if it has
+   * PixelExact's arrays. It may also be composite data (vtkMultiBlockDataSet,
+   * vtkPartitionedDataSet, vtkPartitionedDataSetCollection) with such grids as leaves. Their
+   * elements form one scene with the fields that all leaves have, and the coefficients are copied.
+   * Then GetInput returns null; otherwise GetCompositeInput does. Through vtkMapper's or
+   * vtkAlgorithm's functions (vtkMapper::GetInput, GetInputDataObject) the input is an empty
+   * vtkPolyData: see the class's description.
    */
   void SetInputData(vtkDataObject* data);
   vtkUnstructuredGrid* GetInput();
@@ -101,7 +104,7 @@ public:
 
   ///@{
   /**
-   * The field to show. Empty (the default): see the class's description.
+   * The field. Empty (the default): see the class's description.
    */
   virtual void SetFieldName(const char* name);
   vtkGetCharFromStdStringMacro(FieldName);
@@ -109,7 +112,7 @@ public:
 
   ///@{
   /**
-   * As of vtkHighOrderLayer: a component, counted from 0; vtkHighOrderLayer::MAGNITUDE (-1); or
+   * The component, as in vtkHighOrderLayer: counted from 0; vtkHighOrderLayer::MAGNITUDE (-1); or
    * vtkHighOrderLayer::BY_LOOKUP_TABLE (-2, the default): see the class's description.
    */
   vtkSetMacro(Component, int);
@@ -117,17 +120,17 @@ public:
   ///@}
 
   /**
-   * How many samples of the last frame, sheets behind others included, lie on surfaces that were
-   * searched for, so that something may have been overlooked before them; 0 where all have closed
-   * forms. Samples outside of the mesh do not count.
+   * Count of the last frame's samples, on all sheets, that lie on searched surfaces, where the
+   * search may have missed hits before them; 0 if all surfaces have closed forms. Samples outside
+   * the mesh are not counted.
    */
   vtkIdType GetNumberOfNumericHits();
 
   ///@{
   /**
-   * Of the last frame: whether it is exact in every pixel that is decided, and not one of the
-   * coarse ones that are shown while the window is in a hurry (see SetProgressive), nor aborted;
-   * and how many of its pixels have the UnknownColor. False and 0 where there is none.
+   * IsFrameComplete: the last frame is exact in every decided pixel, and neither coarse (see
+   * SetProgressive) nor aborted. GetNumberOfUnknownPixels: count of its pixels with the
+   * UnknownColor. False and 0 if there is no frame.
    */
   bool IsFrameComplete();
   vtkIdType GetNumberOfUnknownPixels();
@@ -135,9 +138,9 @@ public:
 
   ///@{
   /**
-   * Of the last frame's pixels: through how many a contour goes, for sure; because the field jumps
-   * across a value there; with ContourInterior, because of a loop inside alone; and of how many
-   * that could not be decided. 0 where there are no contours, and of coarse frames.
+   * Counts of the last frame's pixels: those that a contour proven crosses; of these, those where
+   * the field jumps across a value; with ContourInterior, those with only a loop inside; and
+   * undecided ones. 0 without contours, and for coarse frames.
    */
   vtkIdType GetNumberOfContourPixels();
   vtkIdType GetNumberOfContourJumpPixels();
@@ -146,23 +149,23 @@ public:
   ///@}
 
   /**
-   * Which range the lookup table gets.
+   * The range of the lookup table.
    */
   enum
   {
-    RANGE_AS_SET,        ///< ScalarRange
-    RANGE_OF_FIELD,      ///< of the fields that it colours, over all of the mesh, proven
-    RANGE_OF_CUT,        ///< of the values that are seen in the view that is drawn
-    RANGE_OF_PERCENTILES ///< the RangePercentiles of these values, a pixel a value
+    RANGE_AS_SET,   ///< the given ScalarRange
+    RANGE_OF_FIELD, ///< proven range, over the whole mesh, of the fields that the table colours
+    RANGE_OF_CUT,   ///< range of the values that the drawn view shows
+    RANGE_OF_PERCENTILES ///< the RangePercentiles of these values, one value per pixel
   };
 
   ///@{
   /**
    * The range of the mapper's lookup table, unless UseLookupTableScalarRange is on. The default is
-   * RANGE_OF_FIELD: it is proven to hold all values of the field, and mostly exceeds them by less
-   * than a thousandth; it is found by the first frame, and stays when the scene is turned.
-   * RANGE_OF_CUT is wider where rounding alone tells the values apart. To set a ScalarRange is to
-   * choose RANGE_AS_SET. GetScalarRange gives the range of the last frame.
+   * RANGE_OF_FIELD, which is proven to contain all values of the field and usually exceeds them by
+   * less than a thousandth. The first frame computes it, and it does not change when the camera
+   * moves. RANGE_OF_CUT is widened if the values differ only by rounding. SetScalarRange selects
+   * RANGE_AS_SET. GetScalarRange returns the range of the last frame.
    */
   void SetRangeMode(int mode);
   vtkGetMacro(RangeMode, int);
@@ -176,8 +179,8 @@ public:
 
   ///@{
   /**
-   * The percentages of RANGE_OF_PERCENTILES, 0 to 100, ascending; another pair is an error when it
-   * is drawn. The default is 1 and 99.
+   * The percentages of RANGE_OF_PERCENTILES, 0 to 100, ascending. Other pairs cause an error when
+   * the frame is drawn. The default is 1 and 99.
    */
   vtkSetVector2Macro(RangePercentiles, double);
   vtkGetVector2Macro(RangePercentiles, double);
@@ -185,8 +188,8 @@ public:
 
   ///@{
   /**
-   * Whether a range that is found (all modes but RANGE_AS_SET) is made as wide to both sides of 0.
-   * The default is off.
+   * Extends a computed range (all modes except RANGE_AS_SET) to be symmetric about 0. The default
+   * is off.
    */
   vtkSetMacro(RangeSymmetric, bool);
   vtkGetMacro(RangeSymmetric, bool);
@@ -194,21 +197,21 @@ public:
   ///@}
 
   /**
-   * The ends of the values that the last frame shows in the colours of the mapper's lookup table,
-   * as RANGE_OF_CUT has them; 1 and -1 where there are none.
+   * The range of the values that the last frame shows in the colours of the mapper's lookup table,
+   * as in RANGE_OF_CUT; 1 and -1 if there are none.
    */
   double* GetSeenRange() VTK_SIZEHINT(2);
 
   /**
-   * Gives the mapper a lookup table of one of the maps that the command-line program has: viridis,
-   * inferno, plasma, coolwarm, jet, rainbow, grayscale. It shows vectors by their magnitude. An
-   * error, which lists them, for another name.
+   * Sets a lookup table with one of the command-line program's colour maps: viridis, inferno,
+   * plasma, coolwarm, jet, rainbow, grayscale. It maps vectors by their magnitude. Any other name
+   * is an error, which lists the names.
    */
   void SetColorMap(const std::string& name);
 
   ///@{
   /**
-   * RGBA of the pixels whose element could not be decided. The default is magenta.
+   * RGBA of the pixels with an undecided element. The default is magenta.
    */
   vtkSetVector4Macro(UnknownColor, unsigned char);
   vtkGetVector4Macro(UnknownColor, unsigned char);
@@ -216,9 +219,9 @@ public:
 
   ///@{
   /**
-   * From 1 to 256: values are shown in so many steps of one colour, equally wide over the range of
-   * each lookup table (equal ratios where it is logarithmic). 0, the default: the table's own
-   * colours. The table itself, which a scalar bar shows, stays as it is.
+   * From 1 to 256: values are shown in this number of single-coloured steps, equally wide over the
+   * range of each lookup table (of equal ratios if it is logarithmic). 0, the default: the table's
+   * own colours. The table itself, which a scalar bar shows, is not changed.
    */
   vtkSetClampMacro(Bands, int, 0, 256);
   vtkGetMacro(Bands, int);
@@ -226,9 +229,10 @@ public:
 
   ///@{
   /**
-   * Whether pixels have the UndecidedColor where the proven enclosure of the value does not decide
-   * the colour, or where it is undecided whether a contour crosses them. The default is off; the
-   * colour's default is a red. An error with several Samples, and with layers in single precision.
+   * Shows the UndecidedColor in pixels whose colour the proven enclosure of the value does not
+   * decide, or for which it is undecided whether a contour crosses them. The default is off; the
+   * default colour is a red. Causes an error together with several Samples, and with layers in
+   * single precision.
    */
   vtkSetMacro(ShowUndecided, bool);
   vtkGetMacro(ShowUndecided, bool);
@@ -239,7 +243,7 @@ public:
 
   ///@{
   /**
-   * Whether coarse frames are shown while the window is in a hurry. The default is on.
+   * Shows coarse frames while the window needs frames fast. The default is on.
    */
   vtkSetMacro(Progressive, bool);
   vtkGetMacro(Progressive, bool);
@@ -248,11 +252,11 @@ public:
 
   ///@{
   /**
-   * Where a window has an interactor and is not in a hurry: seconds, after which a frame that is
-   * not complete is shown as it is, and the window is rendered again by a timer of the interactor,
-   * until it is complete (IsFrameComplete). So events wait no longer than that, and for a tile.
-   * With 0, the default, each render ends with the complete frame. As Progressive, this is not for
-   * a camera's first frame.
+   * Time limit, in seconds, of a frame in a window with an interactor that does not need frames
+   * fast. A frame that is not complete in time is shown, and a timer of the interactor renders the
+   * window until the frame is complete (IsFrameComplete). Events then wait for at most this time
+   * and the time of one tile. With 0, the default, each render completes the frame. Like
+   * Progressive, it does not apply to a camera's first frame.
    */
   vtkSetClampMacro(StillSeconds, double, 0.0, 1e9);
   vtkGetMacro(StillSeconds, double);
@@ -261,20 +265,20 @@ public:
   /**
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
    * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer, Color and, with contours,
-   * Contour (0 no contour goes through the pixel, 1 one does, 2 undecided); null before the
-   * first frame and after one that failed. Positions and depths (along the unit ray) are in the
-   * data's coordinates, elements are the cells of the source; of composite data, of the block that
-   * a further array, Block, names by its flat index.
+   * Contour (0: no contour crosses the pixel, 1: one does, 2: undecided). Null before the first
+   * frame and after a failed one. Positions and depths (along the unit ray) are in the data's
+   * coordinates. Elements are the cells of the source; for composite data, of the block with the
+   * flat index in a further array, Block.
    *
-   * A frame is traced with what drawing needs; the rest is traced by the first call for a frame, as
-   * is what a coarse one lacks.
+   * A frame is traced with the buffers that drawing needs. The first call for a frame traces the
+   * others, and the pixels that a coarse frame lacks.
    */
   vtkImageData* GetBuffers();
 
   ///@{
   /**
-   * How often, in this mapper's life, a model of a grid was made, a cut-surface was, rays were
-   * traced, and a frame was coloured.
+   * Counts, over the mapper's lifetime, of models constructed from a grid, cut-surfaces
+   * constructed, traces, and colourings.
    */
   vtkIdType GetNumberOfModelBuilds();
   vtkIdType GetNumberOfSurfaceBuilds();
@@ -289,7 +293,7 @@ public:
 
   ///@{
   /**
-   * A box that holds the field's whole domain, curved faces included.
+   * A box that contains the field's whole domain, including curved faces.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->vtkMapper::GetBounds(bounds); }
@@ -297,9 +301,10 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * For programs that have an appearance of their own, as `pixelexact view` has: the mapper's
-   * layers are drawn in it, whatever the settings of mapper, actor and layers are. Lights come from
-   * the renderer. Null: by the settings. Render reports an appearance of another number of layers.
+   * For programs with an appearance of their own, such as `pixelexact view`: the mapper's layers
+   * are drawn with it, independent of the settings of mapper, actor and layers. Lights come from
+   * the renderer. Null: the settings apply. Render reports an appearance with another number of
+   * layers.
    */
   void SetAppearance(std::shared_ptr<const pixelexact::Appearance> appearance);
 #endif
@@ -331,36 +336,36 @@ private:
   void operator=(const vtkHighOrderMapper&) = delete;
 
   /**
-   * Opaque and translucent layers at once: for whoever knows no phases.
+   * Draws opaque and translucent layers at once, for callers without phases.
    */
   void RenderAll(vtkRenderer* renderer, vtkActor* actor);
   void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
   /**
-   * Of a frame: what is set and has no effect, and what it lacks.
+   * Complaints about a frame: settings without effect, and incomplete results.
    */
   std::vector<std::string> Complaints(const pixelexact::Renderer& frames, vtkActor* actor);
   void Warn(vtkRenderer* renderer, vtkActor* actor);
   /**
-   * The range that colours are made with.
+   * Takes over the frame's range of colours as ScalarRange.
    */
   void TakeRange(const pixelexact::Renderer& frames);
   /**
-   * The contours of a frame.
+   * Takes over the frame's contour values.
    */
   void TakeContours(const pixelexact::Renderer& frames);
   /**
-   * What a frame may take in this window; infinite: as long as it takes.
+   * Time limit of a frame in this window; infinite: none.
    */
   double SecondsToTrace(vtkRenderWindow* window);
 
   /**
-   * The first thing that a ray meets. Throws pixelexact::Error.
+   * The first visible point on a ray. Throws pixelexact::Error.
    */
   std::optional<pixelexact::PickedSample> PickSample(
     const pixelexact::PickRay& ray, vtkActor* actor);
 
   /**
-   * What is shown, through a camera and without a renderer; null where it was aborted. Throws
+   * A picture through a camera, without a renderer; null if it was aborted. Throws
    * pixelexact::Error.
    */
   vtkSmartPointer<vtkImageData> TracePicture(pixelexact::Renderer& frames,
@@ -368,8 +373,8 @@ private:
     const std::function<bool(double)>& progress);
 
   /**
-   * Where a picture shows something, in world space; empty where what is shown is wrong, of which
-   * drawing it tells. Nothing is kept of it.
+   * Positions of the visible pixels, in world space; empty if the scene has an error, which Render
+   * reports. Keeps nothing.
    */
   std::vector<std::array<double, 3>> SeenPoints(const pixelexact::CameraSight& sight);
 

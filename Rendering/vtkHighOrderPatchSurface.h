@@ -3,13 +3,14 @@
  * @class   vtkHighOrderPatchSurface
  * @brief   Bezier patches as a cut-surface
  *
- * Tensor-product patches by their control points, met as they are, without triangles. The input is
+ * The surface consists of tensor-product patches with given control points, which rays meet
+ * exactly, without triangles. The input is
  * - a vtkUnstructuredGrid whose cells are all VTK_BEZIER_QUADRILATERAL, of any degree, also of
  *   different degrees in the two directions (cell array HigherOrderDegrees); or
- * - points without cells, or with vertices alone: 16 points are a bicubic patch, row by row (the
- *   second parameter runs fastest), as in the files of the tool's --patch.
+ * - points without cells, or only with vertices: each 16 points are a bicubic patch, row by row
+ *   (the second parameter runs fastest), as in the files of the tool's --patch.
  *
- * Rational weights that differ within a cell are refused: such patches are no polynomials.
+ * Rational weights that differ inside a cell are refused, because such patches are not polynomials.
  */
 
 #ifndef vtkHighOrderPatchSurface_h
@@ -29,8 +30,8 @@ public:
 
   ///@{
   /**
-   * The patches, in the data's coordinates: data, or with
-   * SetInputConnection a pipeline. Required.
+   * The patches, in the data's coordinates, as data or, with SetInputConnection, as a pipeline.
+   * Required.
    */
   void SetInputData(vtkPointSet* data);
   vtkPointSet* GetInput();

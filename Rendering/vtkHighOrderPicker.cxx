@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkHighOrderPicker);
 
 namespace
 {
-// The pixel of the renderer's viewport that has this lower left corner in the window; none where it
+// The pixel of the renderer's viewport whose lower left corner this is in the window; none if it
 // lies outside.
 std::optional<std::array<int, 2>> PixelIn(
   vtkRenderer* renderer, const std::array<double, 2>& corner)

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderPicker
- * @brief   picks what a vtkHighOrderMapper shows, exactly
+ * @brief   picks exactly the points that a vtkHighOrderMapper shows
  *
- * A vtkCellPicker that knows cut-surfaces. Pick(x, y, 0, renderer) follows the ray through the
- * centre of the pixel that holds the display position: an actor with a vtkHighOrderMapper is met
- * where that ray meets its first visible surface, and what is then known is what that pixel shows,
- * bit for bit (vtkHighOrderMapper::GetBuffers); nothing is drawn for it, and no other pixel is
- * traced. All other props are picked as vtkCellPicker does, along the same ray; the nearest of all
- * is the one picked. Clipping planes and the camera's near and far plane cut off what they hide.
- * Pick3DRay and Pick3DPoint take any ray.
+ * A vtkCellPicker for cut-surfaces. Pick(x, y, 0, renderer) follows the ray through the centre of
+ * the pixel at the display position. An actor with a vtkHighOrderMapper is picked at the ray's
+ * first visible surface, and the result equals that pixel's data, bit for bit
+ * (vtkHighOrderMapper::GetBuffers). Nothing is drawn, and no other pixel is traced. All other props
+ * are picked as vtkCellPicker does, along the same ray; the nearest prop is picked. Clipping planes
+ * and the camera's near and far plane apply. Pick3DRay and Pick3DPoint take any ray.
  *
- * Of a cut, beside PickPosition, PickNormal (the cut-surface's), MapperPosition, Mapper and Prop:
- * DataSet is the mapper's grid, or the leaf of its composite data that FlatBlockIndex names, CellId
- * the number of the cell there. SubId and PointId stay -1 and
- * PCoords are not set: xi is of PixelExact's reference shapes.
+ * For a cut it sets PickPosition, PickNormal (the cut-surface's), MapperPosition, Mapper and Prop.
+ * DataSet is the mapper's grid, or the leaf of its composite data with index FlatBlockIndex, and
+ * CellId is the number of the cell in it. SubId and PointId stay -1, and PCoords are not set,
+ * because xi refers to PixelExact's reference shapes.
  *
  * @sa vtkHighOrderMapper vtkCellPicker
  */
@@ -41,40 +40,39 @@ public:
 
   using vtkPicker::Pick;
   /**
-   * Picks at a display position; see the class's description. Not 0 where something was picked. The
+   * Picks at a display position; see the class's description. Returns 0 if nothing was picked. The
    * window must have a size.
    */
   int Pick(double selectionX, double selectionY, double selectionZ, vtkRenderer* renderer) override;
 
   /**
-   * Whether a cut was picked, and what is known of the point: 0 no cut, 1 exact, 2 the element
-   * could not be decided (the pixel has the UnknownColor; there is a position, but no element and
-   * no value).
+   * Verdict of the picked point: 0 no cut, 1 exact, 2 undecided element (the pixel has the
+   * UnknownColor; there is a position, but neither element nor value).
    */
   vtkGetMacro(Verdict, int);
 
   /**
-   * The cell of the source that holds the point, as in the mapper's buffers; of composite data, in
-   * the block that GetFlatBlockIndex() names. -1 where there is none.
+   * The source cell of the point, as in the mapper's buffers; for composite data, in the block with
+   * index GetFlatBlockIndex(). -1 if there is none.
    */
   vtkGetMacro(Element, vtkIdType);
 
   /**
-   * Reference coordinates in the element, of the shapes of Core/Shape/Shape.h; NaN where there are
+   * Reference coordinates in the element, in the shapes of Core/Shape/Shape.h; NaN if there are
    * none.
    */
   vtkGetVector3Macro(Xi, double);
 
   /**
-   * The surface, numbered as in the mapper's buffers: the cut functions, then the layers that are
-   * visible; -1 where no cut was picked.
+   * The surface, numbered as in the mapper's buffers: the cut functions, then the visible layers;
+   * -1 if no cut was picked.
    */
   vtkGetMacro(Layer, int);
 
   ///@{
   /**
-   * The field that the surface shows, its value there, of the component that is shown, and the
-   * values of all of its components as one tuple. NaN, and no tuple, where there is none.
+   * The field of the surface, its value at the point (of the visible component), and the values of
+   * all of its components as one tuple. NaN, and no tuple, if there is no value.
    */
   vtkGetCharFromStdStringMacro(FieldName);
   vtkGetMacro(Value, double);
@@ -95,7 +93,7 @@ private:
 
   void ForgetCut();
 
-  std::optional<std::array<double, 2>> Pixel; ///< while one is picked: its lower left corner
+  std::optional<std::array<double, 2>> Pixel; ///< lower left corner of the pixel during a pick
 
   int Verdict = 0;
   vtkIdType Element = -1;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderPicture
- * @brief   what a vtkHighOrderMapper shows, as an image, without a window or OpenGL
+ * @brief   the picture of a vtkHighOrderMapper as an image, without a window or OpenGL
  *
- * A source of images: the cut that an actor with a vtkHighOrderMapper shows, seen through a camera,
- * alone and complete. It needs no display. Pixels are those of a window of the same size, up to the
- * light: here it is one headlight, as a renderer makes it where there is none. The camera's
- * clipping range is not looked at, and neither are other actors.
+ * An image source: the complete picture of the cut of an actor with a vtkHighOrderMapper, through a
+ * camera, without other actors. It needs no display. Pixels equal those of a window of the same
+ * size, except for the light: here it is one headlight, as a renderer's default. Ignores the
+ * camera's clipping range.
  *
  * The output's scalars are `Color` (RGBA, straight alpha, transparent where there is no cut), lower
- * left pixel first, so that writers of images take it as it is. Beside it are `Verdict` (0 nothing,
- * 1 exact, 2 unknown), `Position`, with contours `Contour`, and with AllBuffers all arrays of
- * vtkHighOrderMapper::GetBuffers. Where something is wrong there is an error and an empty image;
- * what is set and has no effect is warned of.
+ * left pixel first, which image writers accept directly. Further arrays are `Verdict` (0 nothing, 1
+ * exact, 2 unknown), `Position`, with contours `Contour`, and with AllBuffers all arrays of
+ * vtkHighOrderMapper::GetBuffers. After an error the image is empty. Settings without effect give a
+ * warning.
  *
- * The last picture is kept: another lookup table colours it anew, and traces nothing.
+ * Keeps the last picture: a changed lookup table recolours it and traces nothing.
  */
 
 #ifndef vtkHighOrderPicture_h
@@ -38,8 +38,8 @@ public:
 
   ///@{
   /**
-   * What is shown: an actor whose mapper is a vtkHighOrderMapper; its matrix, opacity and property
-   * count as in windows. There must be one.
+   * An actor whose mapper is a vtkHighOrderMapper; its matrix, opacity and property apply as in
+   * windows. Required.
    */
   void SetActor(vtkActor* actor);
   vtkActor* GetActor();
@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * Where from; there must be one. ViewAlong places it.
+   * The camera; required. ViewAlong places it.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -55,11 +55,11 @@ public:
 
   ///@{
   /**
-   * Places the camera, which is made where there is none, so that what is cut fills most of a
-   * picture of Size, as the command-line program's --view does: `towardsViewer` points from it to
-   * the camera and need not be of unit length. It is looked for in small pictures, which are traced
-   * at once; where there is none, all of the actor is seen. Without `viewUp` z points up, or y
-   * where one looks along z.
+   * Places the camera, which is created if there is none, so that the cut fills most of a picture
+   * of Size, as the command-line program's --view does. `towardsViewer` points from the cut to the
+   * camera and need not have unit length. The cut is found in small pictures, which are traced
+   * immediately; without a visible cut, the camera shows the whole actor. Without `viewUp`, z
+   * points up, or y if the camera looks along z.
    */
   void ViewAlong(const double towardsViewer[3], const double viewUp[3]);
   void ViewAlong(const double towardsViewer[3]);
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * Pixels across and up, at least one each. Default 1000 each.
+   * Pixels across and up, at least one each. The default is 1000 each.
    */
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
@@ -75,9 +75,9 @@ public:
 
   ///@{
   /**
-   * Above 1: of each Stride x Stride pixels the middle one is traced, bit for bit as in the whole
-   * picture, and all of them show it. 1 by default. Refused with what is of each pixel: contours
-   * and edges.
+   * Above 1: of each block of Stride x Stride pixels the middle one is traced, bit for bit as in
+   * the whole picture, and all pixels of the block show it. The default is 1. Contours and edges
+   * need each pixel and are refused.
    */
   vtkSetClampMacro(Stride, int, 1, 64);
   vtkGetMacro(Stride, int);
@@ -85,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Whether the output has all that is known of the pixels. Off by default.
+   * Adds all arrays of the pixels to the output. The default is off.
    */
   vtkSetMacro(AllBuffers, bool);
   vtkGetMacro(AllBuffers, bool);
@@ -93,12 +93,12 @@ public:
   ///@}
 
   /**
-   * How often rays were traced.
+   * Count of traces.
    */
   vtkIdType GetNumberOfTraces();
 
   /**
-   * Includes that of actor, mapper, input and camera.
+   * Includes the times of actor, mapper, input and camera.
    */
   vtkMTimeType GetMTime() override;
 

@@ -4,15 +4,15 @@
  * @brief   draws high-order cut-surfaces as a render pass
  *
  * Draws actors with a vtkHighOrderMapper that are not in the renderer, at its place in a chain of
- * passes; the same pixels as those actors would draw in the renderer. It belongs before the
- * translucent and volumetric passes, beside the opaque one:
+ * passes. The pixels are those that the actors would draw in the renderer. It belongs next to the
+ * opaque pass, before the translucent and volumetric ones:
  *
  *   vtkCameraPass(vtkSequencePass[vtkLightsPass, vtkOpaquePass, vtkHighOrderRayPass,
  *     vtkTranslucentPass, vtkVolumetricPass, vtkOverlayPass])
  *
- * The renderer does not know these actors when it frames its scene: call
- * vtkRenderer::ResetCamera and ResetCameraClippingRange with GetBounds(). Opacity is blended over
- * what is drawn before.
+ * The renderer ignores these actors when it frames its scene: call vtkRenderer::ResetCamera and
+ * ResetCameraClippingRange with GetBounds(). Translucent actors are blended over the pixels that
+ * were drawn before.
  */
 
 #ifndef vtkHighOrderRayPass_h
@@ -36,8 +36,8 @@ public:
 
   ///@{
   /**
-   * What to draw. The actor's mapper must be a vtkHighOrderMapper, which is an error otherwise.
-   * Invisible actors are left out.
+   * The actors to draw. The mapper of each must be a vtkHighOrderMapper; another mapper is an
+   * error. Invisible actors are omitted.
    */
   void AddActor(vtkActor* actor);
   void RemoveActor(vtkActor* actor);
@@ -47,7 +47,7 @@ public:
   ///@}
 
   /**
-   * The box of all visible actors, for a camera; uninitialised (vtkMath) when there is none.
+   * The box of all visible actors, for a camera; uninitialised (vtkMath) if there is none.
    */
   void GetBounds(double bounds[6]);
 
@@ -55,7 +55,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Changes with the actors and their mappers, too.
+   * Includes the times of the actors and their mappers.
    */
   vtkMTimeType GetMTime() override;
 

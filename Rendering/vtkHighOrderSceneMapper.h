@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderSceneMapper
- * @brief   superclass of vtkHighOrderMapper: what it cuts with
+ * @brief   superclass of vtkHighOrderMapper: the cut-surfaces
  *
- * Cut functions and one surface, which look as the mapper says, and layers, each with a look of its
- * own. All are written in the data's coordinates. The nearest point inside of the mesh is seen; of
- * surfaces that coincide, the first in this order.
+ * A scene has cut functions and one surface, which have the mapper's appearance, and layers, each
+ * with an appearance of its own. All are given in the data's coordinates. The nearest point inside
+ * the mesh is visible; of coincident surfaces, the first in this order.
  */
 
 #ifndef vtkHighOrderSceneMapper_h
@@ -33,11 +33,12 @@ public:
 
   ///@{
   /**
-   * The cut-surfaces. SetCutFunction replaces all of them by one, and the Surface; null functions
-   * are none and leave it. Where the nearest surface lies outside of the mesh, the next one shows.
-   * In closed form, with their transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone,
-   * vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus and vtkImplicitBoolean of these. Any other
-   * function is searched for along the rays, by samples: see SetSearchSamples.
+   * The cut-surfaces. SetCutFunction replaces all of them, and the Surface, by one; a null function
+   * removes all cut functions but not the Surface. If the nearest surface lies outside the mesh,
+   * the next one shows. These have closed forms, including their transforms: vtkPlane, vtkSphere,
+   * vtkCylinder, vtkCone, vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus and vtkImplicitBoolean of
+   * these. Surfaces of other functions are searched along the rays, by samples: see
+   * SetSearchSamples.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   void AddCutFunction(vtkImplicitFunction* function);
@@ -49,9 +50,9 @@ public:
 
   ///@{
   /**
-   * A cut-surface that is no function: vtkHighOrderSurface. It replaces all cut functions; null,
-   * the default, leaves them. Those that are added afterwards (AddCutFunction) are drawn with it,
-   * and have the lower layer numbers. For several surfaces: AddLayer.
+   * A cut-surface that is a vtkHighOrderSurface. It replaces all cut functions; null, the default,
+   * does not. Functions that are added afterwards (AddCutFunction) are drawn with it, and have the
+   * lower layer numbers. For several surfaces, use AddLayer.
    */
   void SetSurface(vtkHighOrderSurface* surface);
   vtkHighOrderSurface* GetSurface();
@@ -59,13 +60,13 @@ public:
 
   ///@{
   /**
-   * At how many points of a ray a function without a closed form is sampled, from 2 to 65536; the
-   * default is 128. They lie evenly on the part of the ray in the mesh's box. Between two of
-   * different sign a zero is found, up to rounding. Overlooked are pairs of sheets between two
-   * samples, as if nothing was there (what lies behind shows), and places where the function
-   * touches zero without changing its sign; a jump from one sign to the other is taken for a zero.
-   * The thinner a body is against the mesh, the more samples it needs, and frames take longer in
-   * proportion to them.
+   * Number of points of a ray at which a function without a closed form is sampled, from 2 to
+   * 65536. The default is 128. The points are evenly spaced on the ray's part in the mesh's box.
+   * Between two values of different sign a zero is found, up to rounding. The search misses pairs
+   * of sheets between two samples (surfaces behind them show instead), and places where the
+   * function touches zero without changing its sign. A jump from one sign to the other counts as a
+   * zero. The thinner a body is relative to the mesh, the more samples it needs; time is
+   * proportional to samples.
    */
   vtkSetClampMacro(SearchSamples, int, 2, 65536);
   vtkGetMacro(SearchSamples, int);
@@ -73,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Surfaces with looks of their own, drawn together with the cut functions and the surface.
+   * Surfaces with appearances of their own, drawn together with the cut functions and the surface.
    */
   void AddLayer(vtkHighOrderLayer* layer);
   void RemoveLayer(vtkHighOrderLayer* layer);
@@ -84,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Whether the renderer's lights shine on planes that are cut functions. Off (the default): their
-   * colours are shown as they are. Other surfaces are lit where the actor's property says so.
+   * The renderer's lights illuminate planes that are cut functions. Off (the default): planes show
+   * unlit colours. Other surfaces are lit if the actor's property has Lighting on.
    */
   vtkSetMacro(LightFlat, bool);
   vtkGetMacro(LightFlat, bool);
@@ -94,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Samples in pixels that are not of one colour, for smooth edges, 1 to 1024. The default is 1.
+   * Samples per pixel that has several colours, for smooth edges, 1 to 1024. The default is 1.
    */
   vtkSetClampMacro(Samples, int, 1, 1024);
   vtkGetMacro(Samples, int);
@@ -102,9 +103,9 @@ public:
 
   ///@{
   /**
-   * Whether the lines between elements (the property's EdgeVisibility) are told apart by what lies
-   * behind the face: another element's face (black), nothing (blue), faces of other sizes (orange),
-   * elements behind a part of it (purple). The default is off: they have the EdgeColor.
+   * Colours the lines between elements (the property's EdgeVisibility) by the kind of the face:
+   * another element's face behind it (black), nothing (blue), faces of other sizes (orange),
+   * elements behind a part of it (purple). The default is off: all lines have the EdgeColor.
    */
   vtkSetMacro(EdgesByKind, bool);
   vtkGetMacro(EdgesByKind, bool);
@@ -113,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Whether the pixels in which elements, or surfaces, meet are painted, and their colour. The
-   * defaults are off, and black.
+   * Paints the pixels in which elements or surfaces meet, in this colour. The defaults are off, and
+   * black.
    */
   vtkSetMacro(Outlines, bool);
   vtkGetMacro(Outlines, bool);
@@ -126,14 +127,14 @@ public:
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /**
-   * Changes with cut functions, surface and layers, too.
+   * Includes the times of cut functions, surface and layers.
    */
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * Whether any layer is opaque, and whether any is not: by its opacity or its lookup table. The
-   * actor's opacity comes on top.
+   * Some layer is opaque, and some layer is not, by opacity and lookup table. The actor's opacity
+   * is not included.
    */
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;

@@ -3,13 +3,13 @@
  * @class   vtkHighOrderSurface
  * @brief   a cut-surface that is no implicit function
  *
- * What vtkHighOrderMapper::SetSurface and vtkHighOrderLayer::SetSurface take beside
- * vtkImplicitFunction: surfaces of triangles or patches, and those that are made of the mesh
- * itself. Coordinates are the data's, as with functions.
+ * The argument of vtkHighOrderMapper::SetSurface and vtkHighOrderLayer::SetSurface: surfaces of
+ * triangles or patches, and surfaces of the mesh itself. Coordinates are the data's, as for
+ * functions.
  *
- * A mapper makes what rays meet once, for all of its views, and anew when GetMTime has changed or,
- * of a surface that is made of the mesh, when the data have: other cameras, colours and opacities
- * make nothing (vtkHighOrderMapper::GetNumberOfSurfaceBuilds).
+ * A mapper constructs the traced surface once for all of its views. It reconstructs the surface
+ * after a change of GetMTime or, for a surface of the mesh, of the data, but not for other cameras,
+ * colours and opacities (vtkHighOrderMapper::GetNumberOfSurfaceBuilds).
  */
 
 #ifndef vtkHighOrderSurface_h
@@ -33,14 +33,14 @@ public:
   vtkTypeMacro(vtkHighOrderSurface, vtkObject);
 
   /**
-   * Brings the pipeline of a surface that has an input up to date. Mappers that are not Static call
-   * it before each picture.
+   * Updates the pipeline of a surface with an input. Mappers that are not Static call it before
+   * each picture.
    */
   virtual void Update();
 
 #ifndef __VTK_WRAP__
   /**
-   * Whether it is another surface where the mesh or its fields are others.
+   * The surface depends on the mesh or its fields.
    */
   virtual bool IsMadeOfMesh() const
   {
@@ -48,9 +48,9 @@ public:
   }
 
   /**
-   * What rays meet, for the mesh and fields of a model, and where and how to search for what has no
-   * closed form. It may outlive this object, and is not changed by what is set later. Throws
-   * pixelexact::Error, which names the remedy.
+   * Constructs the traced surface for the mesh and fields of a model. `search`: box and samples for
+   * surfaces without a closed form. The result may outlive this object, and later settings do not
+   * change it. Throws pixelexact::Error, which names the remedy.
    */
   virtual std::shared_ptr<const pixelexact::Surface> MakeSurface(
     const std::shared_ptr<const pixelexact::HighOrderModel>& model,

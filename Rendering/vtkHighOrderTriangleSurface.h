@@ -3,10 +3,10 @@
  * @class   vtkHighOrderTriangleSurface
  * @brief   the triangles of a vtkPolyData as a cut-surface
  *
- * Triangles, triangle strips and other polygons (cut into triangles by vtkTriangleFilter); vertices
- * and lines are left out. The triangles are met as they are: no normals are made up between their
- * corners, and where they share an edge or a corner, with the same coordinates, no ray slips
- * through between them. Open surfaces end at their rim, also beside the mesh.
+ * The surface consists of triangles, triangle strips and other polygons (which vtkTriangleFilter
+ * triangulates); vertices and lines are omitted. Triangles are flat: normals are not interpolated
+ * between corners. If they share an edge or a corner with the same coordinates, no ray passes
+ * between them. Open surfaces end at their rim, also outside the mesh.
  */
 
 #ifndef vtkHighOrderTriangleSurface_h
@@ -26,8 +26,8 @@ public:
 
   ///@{
   /**
-   * The surface, in the data's coordinates: data, or with
-   * SetInputConnection a pipeline. Required.
+   * The surface, in the data's coordinates, as data or, with SetInputConnection, as a pipeline.
+   * Required.
    */
   void SetInputData(vtkPolyData* data);
   vtkPolyData* GetInput();
