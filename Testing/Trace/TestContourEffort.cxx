@@ -256,12 +256,12 @@ TEST(ContourEffort, MoreSubdivideMore)
   ContourMethod method;
   method.SetEffort(8.0);
   const ContourMethod usual;
-  EXPECT_EQ(method.subdivisions, usual.subdivisions + 3);
+  EXPECT_EQ(method.edgeLevels, usual.edgeLevels + 3);
   EXPECT_EQ(method.crossings, usual.crossings + 3);
   EXPECT_EQ(method.work, 8 * usual.work);
   EXPECT_EQ(method.samples, 8 * usual.samples);
   method.SetEffort(1.0);
-  EXPECT_EQ(method.subdivisions, usual.subdivisions);
+  EXPECT_EQ(method.edgeLevels, usual.edgeLevels);
   EXPECT_EQ(method.parts, usual.parts);
 }
 } // namespace pixelexact::testing

@@ -34,7 +34,7 @@ struct ExactSetting
 ContourMethod Frugal()
 {
   ContourMethod method;
-  method.subdivisions = 2;
+  method.edgeLevels = 2;
   method.crossings = 3;
   method.parts = 4;
   return method;

@@ -164,7 +164,7 @@ void EdgeRefiner::Settle(const Part& part, EdgeFinding finding, int level)
     }
     return;
   }
-  const int deepest = finding == EdgeFinding::Open ? Method.subdivisions : Method.crossings;
+  const int deepest = finding == EdgeFinding::Open ? Method.edgeLevels : Method.crossings;
   // With many open parts, parts that show no value are removed to make room for others.
   if (finding == EdgeFinding::Uncovered && level < deepest &&
     Parts[part.edge] >= Method.parts * 3 / 4 && ShowsNoValue(part))

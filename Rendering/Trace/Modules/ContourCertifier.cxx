@@ -44,7 +44,7 @@ void ContourMethod::SetEffort(double effort)
   const int doublings = std::max(0, static_cast<int>(std::log2(effort)));
   const auto times = [effort](auto least)
   { return static_cast<decltype(least)>(static_cast<double>(least) * effort); };
-  subdivisions = usual.subdivisions + doublings;
+  edgeLevels = usual.edgeLevels + doublings;
   crossings = usual.crossings + doublings;
   quarterings = usual.quarterings + doublings;
   parts = std::max(usual.parts, times(usual.parts));

@@ -50,7 +50,7 @@ struct ContourMethod
   /// Subdivisions of the paper's algorithm (ClassifyByIntervals); none: the project's algorithm.
   std::optional<int> subdivisions;
   // Limits of the project's algorithm.
-  int subdivisions = 8; ///< of an edge in one element
+  int edgeLevels = 8; ///< of an edge in one element
   int crossings = 12;   ///< of an edge that leaves its element
   int parts = 16;       ///< open parts of an edge at once
   static constexpr int kAny = std::numeric_limits<int>::max();
