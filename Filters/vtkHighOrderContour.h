@@ -3,21 +3,22 @@
  * @class   vtkHighOrderContour
  * @brief   contour lines of a high-order field on a cut-surface, as polylines
  *
- * The input is a grid that carries high-order coefficients, a plain vtkUnstructuredGrid, which is
- * converted, or composite data of such grids, which are then one. The output is polylines: points
- * where the field has the value and the cut function is zero, both to rounding, joined through the
- * elements' faces; chords lie within the tolerance of the curves. Lines are closed, or end at the
- * mesh's boundary, where the field jumps, or where they could not be followed (told).
+ * The input is a grid with high-order coefficients, a plain vtkUnstructuredGrid, which is
+ * converted, or composite data of such grids, which are joined. The output is polylines. At their
+ * points the field has the value and the cut function is zero, both to rounding. They are joined
+ * across the elements' faces, and their chords lie within the tolerance of the curves. Lines are
+ * closed, or end at the mesh's boundary, at jumps of the field, or where tracking failed (counted
+ * and warned about).
  *
- * Point data: an array of the field's name, the field's value; `Element` and, of composite data,
- * `Block`, as of vtkHighOrderProbe; `Xi`, reference coordinates in that element; `Gradient`, the
- * value's in world units. Cell data: `ContourValue`; `Closed`; `Certified`: 1 where it is proven
- * that the line has this course in the elements it passes and that none is missing in these.
+ * Point data: an array with the field's name and values; `Element` and, for composite data,
+ * `Block`, as in vtkHighOrderProbe; `Xi`, reference coordinates in that element; `Gradient`, that
+ * of the value in world units. Cell data: `ContourValue`; `Closed`; `Certified`: 1 where the line's
+ * course in its elements is proven, and that no line is missing in these.
  *
- * Planes, spheres, cylinders, cones of both halves, quadrics, tori, boxes and convex bodies, also
- * moved by affine transforms, are certified; lines end at the edges of boxes and bodies. Contours
- * on other functions' surfaces are searched for in samples and never certified. What is not
- * certified, or could not be decided, is counted and warned of.
+ * Planes, spheres, cylinders, double cones, quadrics, tori, boxes and convex bodies are certified,
+ * also after affine transforms; lines end at the edges of boxes and bodies. Contours on surfaces of
+ * other functions are found by sampling and never certified. Lines that are not certified and
+ * undecided elements are counted, with a warning.
  */
 
 #ifndef vtkHighOrderContour_h
@@ -46,25 +47,25 @@ public:
   vtkTypeMacro(vtkHighOrderContour, PIXELEXACT_MESH_FILTER(vtkPolyDataAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Includes the cut function's.
+  /// The cut function's modification time counts as well.
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * The function whose zeros are the cut-surface; there must be one.
+   * The function whose zeros are the cut-surface. It must be set.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
   ///@}
 
   /**
-   * The surfaces whose contours are certified, as a part of an error's message.
+   * The surfaces whose contours are certified, as part of an error message.
    */
   static std::string DescribeSurfaces();
 
   ///@{
   /**
-   * The values, as of vtkContourFilter. None by default. They must be finite.
+   * The values, as in vtkContourFilter. None by default. They must be finite.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
@@ -77,9 +78,9 @@ public:
   ///@}
 
   /**
-   * A number of round values strictly inside a range, as the command-line program's --contours N
-   * and vtkHighOrderContourMapper's ContourCount. GenerateValues makes evenly spaced ones, both
-   * ends among them, as vtkContourFilter's.
+   * Sets a number of round values strictly inside a range, as --contours N of the command-line
+   * program and ContourCount of vtkHighOrderContourMapper. GenerateValues sets evenly spaced
+   * values, both ends included, as in vtkContourFilter.
    */
   void GenerateRoundValues(int number, double rangeStart, double rangeEnd);
 
@@ -94,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Which component of a field, from 0, or -1, the default: the value of a scalar, the magnitude
-   * of a vector.
+   * The component of a field, from 0. -1, the default: the value of a scalar, the magnitude of a
+   * vector.
    */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
@@ -103,8 +104,8 @@ public:
 
   ///@{
   /**
-   * How far chords may be from the curves, in world units, measured at chords' middles: 1e-10 of
-   * the diagonal of the grid's box or more. 0, the default: 1e-4 of it.
+   * Largest distance of chords from the curves, in world units, measured at chords' middles: at
+   * least 1e-10 of the diagonal of the grid's box. 0, the default: 1e-4 of the diagonal.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -112,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Of the last update: lines that are not certified; (element, value) pairs whose lines may not
-   * all have been found; and a text with all that is known.
+   * Results of the last update: lines that are not certified; (element, value) pairs whose lines
+   * may be incomplete; and a text with all details.
    */
   vtkGetMacro(NumberOfUncertifiedLines, vtkIdType);
   vtkGetMacro(NumberOfUndecidedElements, vtkIdType);

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHighOrderFileReader
- * @brief   what the readers of solvers' own files have in common
+ * @brief   base class of the readers of solvers' own files
  *
- * Output is a vtkHighOrderGrid: every coefficient of the files, in the canonical bases, and beside
- * them VTK's cells with the fields' values at their points (see SetCells). Other arrays: CellData
- * `Attribute` and `BoundaryAttribute` (per face of the cell, the first that it has, -1: none).
- * VTK's own filters use the cells; what this project computes comes from the coefficients, and
- * boundary attributes from a list that holds all (data-set.md).
+ * The output is a vtkHighOrderGrid: all coefficients of the files, in the canonical bases, and
+ * VTK's cells with the fields' values at their points (see SetCells). Other arrays: CellData
+ * `Attribute` and `BoundaryAttribute` (per face of the cell, its first one, -1: none). VTK's own
+ * filters use the cells. PixelExact's results come from the coefficients, and boundary attributes
+ * from a complete list (data-set.md).
  *
- * A new time step keeps the mesh's arrays, and with them the locator, where steps share a mesh;
- * after Modified() the mesh is read anew. Where files hold times, they are the steps of the
- * pipeline; the step nearest below the time asked for is read, the first one without such a
- * request.
+ * A new time step keeps the mesh's arrays and the locator where steps share a mesh. After
+ * Modified() the mesh is read again. Times in the files are the steps of the pipeline. The step
+ * nearest below the requested time is read, the first one without a request.
  *
- * Asked for a piece of several (UPDATE_PIECE_NUMBER), as by each process of a parallel run, it
- * gives that piece: of a run that left a file for each of its processes some consecutive files,
- * and only these are read; of others, which are read whole, the piece's share of the elements, in
- * the order of the file. Elements have the numbers
- * that they have in the whole, where the pieces are the processes of the global controller; all of
- * them must then execute, and where one fails all do. Boundary faces, as curved-surfaces.md has
- * them, are then those of the piece (parallel.md).
+ * If a piece of several is requested (UPDATE_PIECE_NUMBER), as by each process of a parallel run,
+ * the output is that piece. If a run left a file for each of its processes, a piece consists of
+ * consecutive files, and only these are read. Other files are read whole; the piece is its share of
+ * the elements, in the order of the file. If the pieces are the processes of the global controller,
+ * elements have their numbers in the whole; all processes must then execute, and where one fails
+ * all do. Boundary faces (curved-surfaces.md) are then those of the piece (parallel.md).
  *
- * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. What
- * was noticed in the files is reported as warnings and by GetDiagnostic().
+ * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. Notes
+ * on the files are reported as warnings and by GetDiagnostic().
  */
 
 #ifndef vtkHighOrderFileReader_h
@@ -96,9 +94,8 @@ public:
   ///@}
 
   /**
-   * Whether a file begins as those do that SetFileName takes, for programs that choose a reader by
-   * what is in a file. 1: it does, which is no promise that it can be read; 0: it does not, or it
-   * is no file.
+   * Whether a file begins as the reader's files do, for programs that choose a reader by content.
+   * 1: it does, although reading may still fail. 0: it does not, or it is not a file.
    */
   int CanReadFile(const char* name);
 
@@ -110,19 +107,18 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * Reads the fields of `step`, and the mesh where `wantMesh` says so: it may be left empty
-   * otherwise; of runs in pieces, of Piece of Pieces. Throws pixelexact::Error.
+   * Reads the fields of `step` and, if `wantMesh`, the mesh, which may be left empty otherwise. For
+   * runs in pieces it reads Piece of Pieces. Throws pixelexact::Error.
    */
   virtual pixelexact::SolverModel ReadModel(int step, bool wantMesh) = 0;
 
   /**
-   * Whether each step has a mesh of its own, so that a new one asks for it. Otherwise steps share
-   * it.
+   * Whether each step has its own mesh, so that a new step reads it. Otherwise steps share one.
    */
   virtual bool StepsHaveMeshes() { return false; }
 
   /**
-   * Whether these are the first bytes of a file of the reader's kind, gunzipped.
+   * Whether these are the first bytes of a file of the reader's kind, after gunzip.
    */
   virtual bool IsHead(const std::string& head) = 0;
 
@@ -135,8 +131,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
   std::string FileName;
-  int Piece = 0;  ///< that is asked for
-  int Pieces = 1; ///< of so many
+  int Piece = 0;  ///< the requested piece
+  int Pieces = 1; ///< number of pieces
 
 private:
   vtkHighOrderFileReader(const vtkHighOrderFileReader&) = delete;
@@ -150,11 +146,11 @@ private:
   int Cells = LAGRANGE_CELLS;
   vtkIdType MaximumNumberOfNodes = 4'000'000;
   std::vector<double> Times;
-  vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; what steps share
+  vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; shared by steps
   std::unique_ptr<pixelexact::CellLayout> MeshLayout;
-  std::string LayoutNote; ///< why the cells are not those that were asked for; may be empty
+  std::string LayoutNote; ///< reason for other cells than the requested ones; may be empty
   vtkTimeStamp MeshTime;
-  int MeshStep = 0; ///< whose mesh it is, where steps have their own
+  int MeshStep = 0; ///< step of MeshGrid, where steps have their own meshes
   int MeshPiece = 0;
   int MeshPieces = 1;
 };

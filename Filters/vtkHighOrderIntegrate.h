@@ -3,17 +3,17 @@
  * @class   vtkHighOrderIntegrate
  * @brief   integrals of a high-order field over a cut or the boundary, with proven error bounds
  *
- * The input is a grid that carries high-order coefficients, a plain vtkUnstructuredGrid, which is
- * converted, or composite data of such grids, which are then one. The output is a table with a row
- * for each quantity: `Quantity`, its name; `Value`; `ErrorBound`, which Value is proven not to be
- * off by more; `Lower` and `Upper`, which hold the quantity. Quantities: `Area`; `Integral` and
- * `Mean` of a scalar, `Integral 0`, `Mean 0`, ... of fields with several components; `Flux` of a
- * vector of three, along the gradient of the cut function, or out of the boundary.
+ * The input is a grid with high-order coefficients, a plain vtkUnstructuredGrid, which is
+ * converted, or composite data of such grids, which are joined. The output is a table with a row
+ * for each quantity: `Quantity`, its name; `Value`; `ErrorBound`, a proven bound of the error of
+ * Value; `Lower` and `Upper`, which enclose the quantity. Quantities: `Area`; `Integral` and `Mean`
+ * of a scalar, `Integral 0`, `Mean 0`, ... of fields with several components; `Flux` of a vector of
+ * three components, along the gradient of the cut function, or out of the boundary.
  *
- * Planes, spheres, cylinders, cones (both halves), quadrics, boxes and convex bodies (vtkBox,
- * vtkPlanes: their faces) are taken, also moved by affine transforms, vtkImplicitTorus,
- * iso-surfaces and the boundary; and of each of them what clip functions leave: a disc is a plane
- * that a sphere clips. What keeps the table from being of all of the surface is warned of.
+ * Supported surfaces are planes, spheres, cylinders, double cones, quadrics, the faces of boxes and
+ * convex bodies (vtkBox, vtkPlanes), also after affine transforms, vtkImplicitTorus, iso-surfaces
+ * and the boundary. Clip functions cut parts off: a disc is a plane clipped by a sphere. A warning
+ * states why a table covers only a part of the surface.
  */
 
 #ifndef vtkHighOrderIntegrate_h
@@ -39,11 +39,11 @@ public:
   vtkTypeMacro(vtkHighOrderIntegrate, PIXELEXACT_MESH_FILTER(vtkTableAlgorithm));
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Includes the cut function's.
+  /// The cut function's modification time counts as well.
   vtkMTimeType GetMTime() override;
 
-  /// What is integrated over; Any: the cut function or the iso-surface where there is one, else the
-  /// boundary.
+  /// The surface of integration. Any: the cut function or the iso-surface where there is one, else
+  /// the boundary.
   enum Surfaces
   {
     OverCutFunction,
@@ -53,8 +53,8 @@ public:
   };
   ///@{
   /**
-   * One of Surfaces: those that it does not name are not looked at. OverAny by default; several at
-   * once are then refused.
+   * One of Surfaces; settings of other surfaces are ignored. OverAny by default, which refuses
+   * settings of several surfaces.
    */
   vtkSetClampMacro(Over, int, OverCutFunction, OverAny);
   vtkGetMacro(Over, int);
@@ -71,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Of the surface counts what is where none of these functions is positive: planes, quadrics,
-   * boxes and convex bodies. None at first.
+   * Functions that clip the surface: the part where none of them is positive remains. Planes,
+   * quadrics, boxes and convex bodies. None by default.
    */
   void AddClipFunction(vtkImplicitFunction* function);
   void ClearClipFunctions();
@@ -81,10 +81,10 @@ public:
 
   ///@{
   /**
-   * In place of a cut function: where a component of a field has a value, also of another field
-   * than the one that is integrated. Empty, the default: no iso-surface. IsoComponent: -1, the
-   * default, is a scalar itself, or the magnitude. Mapped fields (H(curl), H(div), density) are
-   * refused.
+   * The iso-surface that replaces a cut function: the points where a component of a field has a
+   * value. The field may differ from the integrated one. Empty, the default: no iso-surface.
+   * IsoComponent: -1, the default, is a scalar itself, or the magnitude. Mapped fields (H(curl),
+   * H(div), density) are refused.
    */
   vtkSetMacro(IsoFieldName, std::string);
   vtkGetMacro(IsoFieldName, std::string);
@@ -96,7 +96,7 @@ public:
 
   ///@{
   /**
-   * The part of the boundary with this attribute, as the solver numbers its parts.
+   * Adds the part of the boundary with this attribute, in the solver's numbering.
    */
   void AddBoundaryAttribute(int attribute);
   void ClearBoundaryAttributes();
@@ -106,7 +106,7 @@ public:
   ///@{
   /**
    * The field. Empty, the default: that of SetInputArrayToProcess(0, ...), else the first one;
-   * where there is none, the area alone. A name that the grid lacks is an error.
+   * without fields only the area. A name that the grid lacks is an error.
    */
   vtkSetMacro(FieldName, std::string);
   vtkGetMacro(FieldName, std::string);
@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * What the errors are to be at most, as a part of the integrals of magnitudes; of a vector the
-   * largest component's. Greater than 0; 1e-8 by default.
+   * The target for errors, relative to the integrals of magnitudes; for a vector the largest
+   * component's. Greater than 0; 1e-8 by default.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -123,8 +123,7 @@ public:
 
   ///@{
   /**
-   * How long it may take. 0, the default: as long as it takes. When they are over what is known by
-   * then is given.
+   * Time limit in seconds. 0, the default: no limit. The result at the limit is returned.
    */
   vtkSetMacro(Seconds, double);
   vtkGetMacro(Seconds, double);
@@ -132,7 +131,7 @@ public:
 
   ///@{
   /**
-   * Of the last update: whether the tolerance was met; the area that is at most not accounted for.
+   * Results of the last update: whether the tolerance was met; a bound of the area that is missing.
    */
   vtkGetMacro(ToleranceMet, bool);
   vtkGetMacro(UnresolvedArea, double);
@@ -149,7 +148,7 @@ private:
   vtkHighOrderIntegrate(const vtkHighOrderIntegrate&) = delete;
   void operator=(const vtkHighOrderIntegrate&) = delete;
 
-  /// One of OverCutFunction, OverIsoSurface, OverBoundary. Throws Error.
+  /// Returns one of OverCutFunction, OverIsoSurface, OverBoundary. Throws Error.
   [[nodiscard]] int Chosen() const;
 
   int Over = OverAny;

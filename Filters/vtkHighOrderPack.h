@@ -3,21 +3,21 @@
  * @class   vtkHighOrderPack
  * @brief   coefficients as cell arrays, which VTK's filters take along with the cells
  *
- * FieldData holds coefficients without a copy, but knows nothing of cells that filters add, drop
- * and send. The output has them in cell arrays instead, named PixelExact.Packed.*: behind
+ * FieldData holds coefficients without a copy, but it does not follow the cells that filters add,
+ * drop and send. The output has the coefficients in cell arrays, named PixelExact.Packed.*. After
  * vtkAppendFilter, vtkExtractCells, vtkThreshold, vtkMergeBlocks, vtkRedistributeDataSetFilter,
  * vtkGhostCellsGenerator, vtkMPIMoveData and .pvtu files each cell still has its own. All classes
- * of PixelExact take such grids as they are; vtkHighOrderUnpack makes the FieldData anew. What was
- * done to points, cells or nodal values is noticed as without packing. See
- * Documentation/parallel.md for what survives which filter.
+ * of PixelExact accept such grids; vtkHighOrderUnpack restores the FieldData. Changes to points,
+ * cells or nodal values are detected as without packing. Documentation/parallel.md states what
+ * survives which filter.
  *
- * An array is as wide as the element of most coefficients needs, so that mixed and varying orders
- * are padded with zeros. VTK appends arrays of the same width alone: blocks of composite data and
- * the grids of all processes get the same; for grids that are packed one by one, group them first,
- * or set MinimumModes.
+ * The width of an array is that of the element with the most coefficients; lower orders are padded
+ * with zeros. VTK appends arrays of equal width only. Blocks of composite data and the grids of all
+ * processes get the same width. For grids that are packed one by one, group them first or set
+ * MinimumModes.
  *
- * The input is a grid that carries coefficients, or a plain vtkUnstructuredGrid, which is
- * converted, or composite data of such. Coefficients that do not fit are an error.
+ * The input is a grid with coefficients, a plain vtkUnstructuredGrid, which is converted, or
+ * composite data of such. Coefficients that do not fit are an error.
  */
 
 #ifndef vtkHighOrderPack_h
@@ -38,8 +38,8 @@ public:
 
   ///@{
   /**
-   * The modes of one component for which arrays have room at least, whatever the elements have: 0,
-   * the default, to 35937 (order 32).
+   * Least number of modes per component for which arrays have room: 0, the default, to 35937 (order
+   * 32).
    */
   vtkSetClampMacro(MinimumModes, int, 0, 35937);
   vtkGetMacro(MinimumModes, int);
@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * The processes whose grids get arrays of the same width, all of which must then execute. The
+   * The processes whose grids get arrays of the same width. All of them must then execute. The
    * global controller by default; null: this process alone.
    */
   void SetController(vtkMultiProcessController* controller);

@@ -30,9 +30,9 @@ namespace
 {
 using namespace pixelexact;
 
-constexpr double kSpacing = 1e-15; ///< of t, beyond which halving brings nothing
+constexpr double kSpacing = 1e-15; ///< of t; smaller intervals are not subdivided
 
-/// An end of a stretch.
+/// An end of an interval of the segment.
 struct StretchEnd
 {
   double t = 0.0;
@@ -64,11 +64,10 @@ std::vector<StretchEnd> Locate(const HighOrderModel& model, const Vec3& start, c
   return located;
 }
 
-/// Where a segment passes from one element into another, or out of the mesh: pairs of parameters of
-/// start + t (end - start), ascending, between which the element changes, as near to each other as
-/// roundings of t let them be. The element at each of `places` (ascending, from 0 to 1) is found
-/// first; an element that lies between two places and holds neither may be passed over, and so may
-/// a gap.
+/// Finds where a segment passes from one element into another, or out of the mesh. Returns pairs of
+/// parameters of start + t (end - start), ascending, between which the element changes, as close as
+/// roundings of t permit. First the elements at `places` (ascending, from 0 to 1) are located. An
+/// element or a gap between two adjacent places may be missed.
 std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, const Vec3& end,
   const std::vector<double>& places)
 {

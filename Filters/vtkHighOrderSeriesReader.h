@@ -4,26 +4,25 @@
  * @brief   reads time series of unstructured grids, in one or several pieces per step
  *
  * Reads a collection (.pvd: steps with times and parts), a .vtu or .pvtu file, or several of them,
- * one per time step at the times 0, 1, 2... Follow it by vtkUnstructuredGridToHighOrderGrid: from
- * one time step to the next that keeps the mesh, and with it the locators of those behind, where
- * points and cells stay the same.
+ * one per time step at the times 0, 1, 2... vtkUnstructuredGridToHighOrderGrid should follow it:
+ * where points and cells stay the same in the next time step, it keeps the mesh and its locators.
  *
- * The steps are the pipeline's TIME_STEPS; the one nearest below the time asked for is read, the
- * first one without such a request. A single file has none.
+ * The steps are the pipeline's TIME_STEPS. The one nearest below the requested time is read, the
+ * first one without a request. A single file has no steps.
  *
- * Parts of a step are put together without merging points. Ghost cells that another part holds too,
- * parts without volume cells, and arrays that not all parts have alike are left out, the latter two
- * with a warning. Coefficients that a file carries are read as they are where it is the only part,
- * and put together where all parts carry those of a solver; those of several parts that were made
- * from nodal values are dropped, to be made again.
+ * Parts of a step are appended without merging points. Ghost cells that another part also holds,
+ * parts without volume cells, and arrays that not all parts have are left out, the latter two with
+ * a warning. Coefficients are kept where the file is the only part, and joined where all parts have
+ * those of a solver. Coefficients of several parts that were converted from nodal values are
+ * dropped and converted again.
  *
- * Asked for a piece of several (UPDATE_PIECE_NUMBER) it gives that piece: of several parts some
- * that follow each other, of a single file, which is read whole, a
- * share of the cells. CellData PixelExactSourceCell then has the cells' numbers in the whole, as
- * vtkHighOrderFileReader says; the conversion keeps them.
+ * If a piece of several is requested (UPDATE_PIECE_NUMBER), the output is that piece: consecutive
+ * ones of several parts, or a share of the cells of a single file, which is read whole. CellData
+ * PixelExactSourceCell then has the cells' numbers in the whole, as in vtkHighOrderFileReader; the
+ * conversion keeps them.
  *
- * Errors go to vtkErrorMacro, with the file; the output is then empty. Modified() makes it read the
- * files anew.
+ * Errors go to vtkErrorMacro, with the file; the output is then empty. After Modified() the files
+ * are read again.
  */
 
 #ifndef vtkHighOrderSeriesReader_h
@@ -45,8 +44,8 @@ public:
 
   ///@{
   /**
-   * The only file, in the place of all others. GetFileName: the first one, empty where there is
-   * none.
+   * The only file, which replaces all others. GetFileName returns the first file, empty where there
+   * is none.
    */
   void SetFileName(const char* name);
   const char* GetFileName();
@@ -54,7 +53,7 @@ public:
 
   ///@{
   /**
-   * The file of one more time step: .vtu or .pvtu; a .pvd file is to be the only one.
+   * Adds the file of a further time step: .vtu or .pvtu. A .pvd file must be the only one.
    */
   void AddFileName(const char* name);
   void ClearFileNames();
@@ -63,7 +62,7 @@ public:
 
   ///@{
   /**
-   * Of the last execution: lines about what was left out and what VTK's reader warned of.
+   * Notes of the last execution: parts and arrays that were left out, and warnings of VTK's reader.
    */
   int GetNumberOfDiagnostics();
   std::string GetDiagnostic(int index);

@@ -3,22 +3,23 @@
  * @class   vtkHighOrderSubdivide
  * @brief   high-order elements cut into linear cells: a linear baseline
  *
- * What is done before vtkCutter, vtkContourFilter and vtkDataSetMapper, which know linear cells
- * alone. Points lie where the element has them and fields have their exact values there, up to
- * rounding; between them VTK interpolates linearly. What that costs is what vtkHighOrderGrid is
- * for.
+ * Prepares grids for vtkCutter, vtkContourFilter and vtkDataSetMapper, which support linear cells
+ * only. Points lie on the element's map, and fields have their exact values there, up to rounding.
+ * Between points VTK interpolates linearly.
  *
- * At level l each edge becomes 2^l: hexahedra become 8^l hexahedra, prisms wedges, tetrahedra
- * tetrahedra, and pyramids pyramids and tetrahedra. Faces of neighbours of one level fit. Points
- * are shared within an element but not between elements, where fields may jump; what wants one
- * surface (vtkDataSetSurfaceFilter) merges them first (vtkAppendFilter with MergePointsOn).
+ * Level l divides each edge into 2^l parts: a hexahedron becomes 8^l hexahedra, prisms become
+ * wedges, tetrahedra become tetrahedra, and pyramids become pyramids and tetrahedra. Faces of
+ * neighbours of the same level match. Points are shared within an element but not between elements,
+ * where fields may jump. Filters that need one surface (vtkDataSetSurfaceFilter) require merged
+ * points (vtkAppendFilter with MergePointsOn).
  *
- * With a Tolerance above 0 each element gets the lowest level that meets it: the cells of
- * neighbours then need not fit, and cuts have cracks there, smaller than the tolerance.
+ * With a Tolerance above 0 each element gets the lowest level that meets it. Cells of neighbours
+ * then need not match, and cuts have cracks there, smaller than the tolerance.
  *
- * Arrays of the input's cells go to their parts; Element tells the source's cell. Point arrays that
- * are no high-order fields are left out. Of composite data one grid is made, with the fields, and
- * cell arrays of the same type and components, that all leaves have.
+ * Arrays of the input's cells are copied to their linear cells; Element is the number of the source
+ * cell. Point arrays that are not high-order fields are left out. Composite data become one grid
+ * with the fields that all leaves have, and the cell arrays that all leaves have with the same type
+ * and components.
  */
 
 #ifndef vtkHighOrderSubdivide_h
@@ -46,7 +47,7 @@ public:
 
   ///@{
   /**
-   * The level, 0 to 5, of all elements, or with a Tolerance the highest of any. Default 2.
+   * The level, 0 to 5, of all elements; with a Tolerance the highest level. Default 2.
    */
   vtkSetClampMacro(Level, int, 0, 5);
   vtkGetMacro(Level, int);
@@ -54,22 +55,22 @@ public:
 
   ///@{
   /**
-   * How far linear cells may be off: in place, over the diagonal of the mesh's box, and in the
-   * values of the fields, over their ranges. Classified at the middles of edges and cells: samples,
-   * which prove nothing. 0, the default: all elements get the same level.
+   * Largest error of linear cells: in position, relative to the diagonal of the mesh's box, and in
+   * the values of the fields, relative to their ranges. It is measured at the middles of edges and
+   * cells; these samples prove nothing. 0, the default: all elements get the same level.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   /**
-   * Of the last output: elements that miss the Tolerance at the highest level.
+   * For the last output: the number of elements that miss the Tolerance at the highest level.
    */
   vtkGetMacro(NumberOfCoarseElements, vtkIdType);
 
   ///@{
   /**
-   * Names of the fields that the output has; none: all. A name that the grid lacks is an error.
+   * Names of the output's fields; none: all. A name that the grid lacks is an error.
    */
   void AddField(const std::string& name) { this->Fields.Add(name); }
   void ClearFields() { this->Fields.Clear(); }

@@ -3,17 +3,16 @@
  * @class   vtkHighOrderTruncate
  * @brief   high-order fields without their top modes, and how much that changes
  *
- * Drops, element by element, the modes above an order of an orthogonal basis (Legendre's and
- * Dubiner's kind, see Core/Basis/Space.h): what is left is the best approximation of that order on
- * the reference element, in the mean square. Continuous fields become discontinuous. The mesh is
- * not touched.
+ * Drops, element by element, the modes above an order of an orthogonal basis (of Legendre's and
+ * Dubiner's kind, see Core/Basis/Space.h). The rest is the best approximation of that order on the
+ * reference element, in the mean square. Continuous fields become discontinuous. The mesh stays.
  *
- * The output is the grid with these fields; FieldData's `FIELD_LargestChange` bounds how far values
- * move anywhere (of several components the norm of the change): proven, of what the coefficients
- * define; infinite where no bound was found. Point and cell arrays of the fields' names hold values
- * of the whole fields, and are left out. A plain grid is converted first. Composite data are
- * truncated block by block; in several processes, each of which has parts of blocks, their changes
- * are not told.
+ * The output is the grid with these fields. FieldData's `FIELD_LargestChange` is a proven bound of
+ * the change of values anywhere (for several components of the norm of the change); it is infinite
+ * where no bound was found. Point and cell arrays with the fields' names hold values of the
+ * original fields, and are left out. A plain grid is converted first. Composite data are truncated
+ * block by block; in several processes, each of which has parts of blocks, their changes are not
+ * reported.
  */
 
 #ifndef vtkHighOrderTruncate_h
@@ -45,7 +44,7 @@ public:
 
   ///@{
   /**
-   * Whether to bound the change, which takes longer than all else. On by default.
+   * Whether the change is bounded, which takes longer than the rest. On by default.
    */
   vtkSetMacro(Bounds, bool);
   vtkGetMacro(Bounds, bool);

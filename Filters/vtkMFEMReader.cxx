@@ -125,7 +125,7 @@ SolverModel vtkMFEMReader::ReadModel(int step, bool /*wantMesh*/)
   }
   if (!this->GridFunctions.empty())
   {
-    throw InvalidData(this->FileName + " tells of the collection's own grid functions; leave out " +
+    throw InvalidData(this->FileName + " lists the collection's own grid functions; leave out " +
       this->GridFunctions.front() + ".");
   }
   return mfem::ReadRootFile(this->Order.at(static_cast<std::size_t>(step)), part);

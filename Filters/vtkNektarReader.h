@@ -3,14 +3,14 @@
  * @class   vtkNektarReader
  * @brief   reads Nektar++ sessions and field files
  *
- * The session (SetFileName) holds the geometry of three dimensions or two (files.md): XML, plain
- * or compressed, or the name of an HDF5 file beside it (`.nekg`), which may also be named itself.
- * Further session files (AddSessionFileName) may hold the rest, or other parts of the mesh; a
+ * The session (SetFileName) holds a geometry of two or three dimensions (files.md): XML, plain or
+ * compressed, or the name of an HDF5 file beside it (`.nekg`), which may also be given itself.
+ * Further session files (AddSessionFileName) may hold other sections or other parts of the mesh. A
  * folder (`NAME_xml`, as parallel runs write it) stands for the parts in it. Field files
- * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML or HDF5; a folder for those of parallel runs)
- * become fields of the names in them. Several field files are time steps, ordered by the time in
- * their metadata, or where one has none by the order given and numbered from 0.
- * Module/Documentation/files.md says what is read and what is not.
+ * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML or HDF5; a folder for parallel runs) become fields
+ * with the names in them. Several field files are time steps, ordered by the time in their metadata
+ * or, where one has none, in the given order and numbered from 0. Module/Documentation/files.md
+ * lists what is read and what is not.
  */
 
 #ifndef vtkNektarReader_h
@@ -21,7 +21,7 @@
 
 #include <memory>
 
-// As vtkWrapHierarchy of VTK 9.1 reads it.
+// The namespaces are nested so that vtkWrapHierarchy of VTK 9.1 can parse them.
 // NOLINTNEXTLINE(modernize-concat-nested-namespaces)
 namespace pixelexact
 {
@@ -40,7 +40,7 @@ public:
 
   ///@{
   /**
-   * Further files of the session.
+   * Adds further files of the session.
    */
   void AddSessionFileName(const char* name);
   void ClearSessionFileNames();
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * Field files, one per time step.
+   * Adds field files, one per time step.
    */
   void AddFieldFileName(const char* name);
   void ClearFieldFileNames();
@@ -68,7 +68,7 @@ private:
 
   pixelexact::nektar::SessionMesh ReadSession();
 
-  /// Of the mesh, for further time steps; none: there is one step.
+  /// Kept for further time steps; null where there is one step.
   std::unique_ptr<pixelexact::nektar::SessionMesh> Outline;
   std::vector<std::string> Sessions;
   std::vector<std::string> FieldFiles;

@@ -23,7 +23,7 @@ class vtkCell;
 //   pyramid                   eta = 2 (r, s, t) - 1, collapsed to xi: VTK's are those of the cube
 namespace pixelexact
 {
-/// Where the Lagrange cells of a file depart from VTK's conventions.
+/// Conventions of a file's Lagrange cells that differ from VTK's.
 struct NodeConvention
 {
   bool gaussLobatto = false;   ///< nodes at Gauss-Lobatto-Legendre points, not equispaced
@@ -37,8 +37,8 @@ struct CellKind
 {
   int type = 0;   ///< VTK_...
   int points = 0; ///< number of points
-  /// Degrees along r, s, t as the file gives them (HigherOrderDegrees); 0: to be told from the
-  /// number of points.
+  /// Degrees along r, s, t as the file gives them (HigherOrderDegrees). 0: the degree follows from
+  /// the number of points.
   std::array<int, 3> degrees{ 0, 0, 0 };
   NodeConvention nodes;      ///< of Lagrange cells
   std::uint64_t weights = 0; ///< hash of rational weights; 0: they are equal
@@ -76,7 +76,7 @@ int CellDimension(int type);
 /// name.
 CellBasis MakeCellBasis(const CellKind& kind);
 
-/// VTK's Lagrange and Bezier cells of any order; Bezier as with equal rational weights.
+/// Whether the type is a VTK Lagrange or Bezier cell of any order.
 bool IsHigherOrderCell(int type);
 bool IsLagrangeCell(int type);
 bool IsHigherOrderPlaneCell(int type);

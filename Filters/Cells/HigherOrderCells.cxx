@@ -20,10 +20,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Above this order Gauss-Lobatto-Legendre nodes inside triangles are placed in several ways.
+/// Up to this order Gauss-Lobatto-Legendre nodes inside triangles have unique positions.
 constexpr int kUniqueTriangle = 3;
 
-/// Of the kind's nodes or control points.
+/// The family of functions that belongs to the kind's nodes or control points.
 Family FamilyOf(const CellKind& kind)
 {
   if (!IsLagrangeCell(kind.type))
@@ -33,8 +33,7 @@ Family FamilyOf(const CellKind& kind)
   return kind.nodes.gaussLobatto ? Family::GaussLobattoLagrange : Family::EquispacedLagrange;
 }
 
-/// Throws Unsupported where the places of nodes inside of triangles of that order are a matter of
-/// choice.
+/// Throws Unsupported where solvers place the nodes inside triangles of this order differently.
 void RequireKnownNodes(const CellKind& kind, int triangleOrder)
 {
   if (FamilyOf(kind) == Family::GaussLobattoLagrange && triangleOrder > kUniqueTriangle)
@@ -43,7 +42,8 @@ void RequireKnownNodes(const CellKind& kind, int triangleOrder)
       " with Gauss-Lobatto-Legendre nodes (SetNodePlacement, --nodes gll): above order " +
       std::to_string(kUniqueTriangle) +
       " solvers place the nodes inside triangles in several ways "
-      "(warped, blended, Fekete), and the file does not tell which; write it with equispaced nodes "
+      "(warped, blended, Fekete), and the file does not state which; write it with equispaced "
+      "nodes "
       "(DOLFINx: basix.LagrangeVariant.equispaced).");
   }
 }
@@ -197,7 +197,7 @@ CellBasis WedgeBasis(const CellKind& kind, const std::array<int, 3>& n)
     WedgeSource(n, kind.nodes.mirroredWedges) };
 }
 
-/// Lagrange cells with bubble functions beside the complete polynomials.
+/// The space of Lagrange cells that have bubble functions in addition to the complete polynomials.
 std::optional<Space> BubbleSpace(const CellKind& kind)
 {
   if (kind.type == VTK_LAGRANGE_TETRAHEDRON && kind.points == 15)
@@ -215,7 +215,7 @@ std::optional<Space> BubbleSpace(const CellKind& kind)
 
 // VTK's triangles and quadrilaterals of any order, in the spaces of a slab's solids.
 
-/// The triangle of order 2 with a bubble.
+/// Number of points of the triangle of order 2 with a bubble.
 constexpr int kBubbleTriangle = 7;
 
 [[noreturn]] void RefuseCount(const CellKind& kind)

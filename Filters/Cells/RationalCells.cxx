@@ -13,15 +13,17 @@ namespace pixelexact
 {
 namespace
 {
-/// Of an element's size. As of NURBS meshes (bases-and-kernels.md), but a cell is one element.
+/// Target loss of a map, relative to the element's size. NURBS meshes have the same target
+/// (bases-and-kernels.md), but here a cell is always one element.
 constexpr double kLoss = 1e-14;
-/// Beyond this higher orders are not tried; in tetrahedra rounding comes to more than in products.
+/// A loss below this ends the search for an order. Rounding in tetrahedra is larger than in
+/// products.
 constexpr double kEnough = 1e-13;
 constexpr double kEnoughOfTetrahedra = 1e-12;
-/// What is taken where the highest orders do not reach that, as of fields.
+/// Largest loss that is accepted at the highest order, relative to the element's size.
 constexpr double kMaxLoss = 1e-9;
 constexpr int kMaxRationalOrder = kMaxOrder - 2;
-/// Of tetrahedra, whose change of basis is dense.
+/// Limit for tetrahedra, whose change of basis is dense.
 constexpr int kMaxTetrahedronOrder = 16;
 
 rational::Orders DegreesOf(const Space& space)
@@ -63,7 +65,7 @@ Space RationalCells::SpaceOf(
   }
   if (cell.IsSimplex())
   {
-    // Triangles have one order.
+    // Triangles have the same order in both directions.
     varies[0] = varies[2] = varies[0] || varies[2] || space.shape == Shape::Tetrahedron;
     varies[1] = varies[1] || space.shape == Shape::Tetrahedron;
   }
@@ -75,8 +77,8 @@ Space RationalCells::SpaceOf(
   return space;
 }
 
-/// Orders: those of all cells are the same in directions in which weights vary, and else the
-/// degree, so that cells which meet agree on their common face.
+/// Directions in which weights vary get one order for all cells, other directions the cell's
+/// degree, so that neighbouring cells agree on their common face.
 void RationalCells::Convert(std::span<const double> coordinates, int components,
   const std::function<std::string(int)>& describe,
   const std::function<void(int, const ChangeOfBasis&)>& use)
@@ -114,7 +116,7 @@ void RationalCells::Convert(std::span<const double> coordinates, int components,
           " has rational weights that differ so much that polynomials of order " +
           std::to_string(most) + " do not come near it; divide the cell.");
       }
-      // What is estimated in eta may need more of a complete space.
+      // The order was estimated in eta. A complete space may need a higher one.
       const double enough = cell.space.shape == Shape::Tetrahedron ? kEnoughOfTetrahedra : kEnough;
       isEnough = isEnough && (!cell.IsSimplex() || order >= most || cell.loss <= enough * extent);
     }

@@ -19,31 +19,32 @@ class vtkDataArray;
 
 namespace pixelexact
 {
-/// The Bezier cells of a mesh whose weights differ, and the polynomials in their place
-/// (bases-and-kernels.md). Safe to read from several threads once converted.
+/// The Bezier cells of a mesh whose weights differ, and the polynomials that replace their rational
+/// functions (bases-and-kernels.md). Safe to read from several threads after Convert.
 class RationalCells
 {
 public:
-  /// An element, with its points in the cell's order.
+  /// Adds an element with its points in the cell's order.
   void Add(
     int element, const CellBasis& basis, std::span<const vtkIdType> points, vtkDataArray* weights);
 
   [[nodiscard]] int Count() const { return static_cast<int>(Cells.size()); }
   [[nodiscard]] bool Has(int element) const { return Cells.contains(element); }
 
-  /// Chooses the polynomials for maps, three coordinates per point, of which `components` count,
-  /// and tells each element's change of basis from what Gather gives. Throws Unsupported, beginning
-  /// with `describe(element)`, for weights that differ too much.
+  /// Chooses the polynomials for maps and passes each element's change of basis, from the values
+  /// that Gather returns, to `use`. `coordinates` are three per point, of which `components` count.
+  /// Throws Unsupported, beginning with `describe(element)`, for weights that differ too much.
   void Convert(std::span<const double> coordinates, int components,
     const std::function<std::string(int)>& describe,
     const std::function<void(int, const ChangeOfBasis&)>& use);
 
-  /// What a map loses, in world units; 0 for elements that are not rational.
+  /// Bound of the difference between an element's polynomial and rational map, in world units. 0
+  /// for elements that are not rational.
   [[nodiscard]] double Loss(int element) const;
-  /// The same of a component of values at points.
+  /// The same bound for one component of values at points, in their units.
   [[nodiscard]] double Loss(
     int element, std::span<const double> values, int components, int component) const;
-  /// A component of values, at the nodes of the polynomial.
+  /// Writes one component of values at the nodes of the element's polynomial to `out`.
   void Gather(int element, std::span<const double> values, int components, int component,
     std::vector<double>& out) const;
 
@@ -62,7 +63,7 @@ private:
     std::span<const double> values, int components, std::span<const int> which) const;
   [[nodiscard]] double LossOf(const Cell& cell, const rational::RationalElement& element) const;
   const rational::SimplexBasis& BasisOf(const Space& space);
-  /// Of the polynomial where its directions that need it have this order.
+  /// The space of the polynomial that has this order in the directions that need it.
   [[nodiscard]] Space SpaceOf(
     const Cell& cell, const rational::RationalElement& element, int order) const;
 

@@ -39,7 +39,7 @@ vtkDoubleArray* AddDoubles(
   return array;
 }
 
-/// Where an element's points, cells and corners begin.
+/// First point, cell and corner of each element.
 std::vector<SubdivisionSize> BeginningsOf(
   const HighOrderModel& model, const SubdivisionLevels& levels)
 {
@@ -54,7 +54,7 @@ std::vector<SubdivisionSize> BeginningsOf(
   }
   return begins;
 }
-/// The sum of the cells' volumes where the lattice's points are at `xyz`.
+/// The sum of the cells' volumes for lattice points at `xyz`.
 double VolumeOf(const ShapeLattice& lattice, const double* xyz)
 {
   double sum = 0.0;
@@ -72,7 +72,8 @@ double VolumeOf(const ShapeLattice& lattice, const double* xyz)
   return sum;
 }
 
-/// Points of a lattice between which linear cells are judged: `of` each, their mean in xi.
+/// Points of a lattice at which linear cells are compared with the element: the mean in xi of the
+/// lattice points in `of`.
 struct Middles
 {
   std::vector<Vec3> xi;
@@ -111,7 +112,7 @@ const Middles& MiddlesOf(Shape shape, int level)
   return all.Get(shape, level, [&] { return MakeMiddles(LatticeOf(shape, level)); });
 }
 
-/// How far values at middles are from the means of those of their corners, at most.
+/// The largest distance of values at middles from the means of the values at their corners.
 double LargestMiss(const Mesh& mesh, const Field* field, int element, int level)
 {
   const Shape shape = mesh.ShapeOf(element);
@@ -132,14 +133,14 @@ double LargestMiss(const Mesh& mesh, const Field* field, int element, int level)
       }
       const double miss =
         std::fabs(exact[m * n + c] - sum / static_cast<double>(middles.of[m].size()));
-      // What is no number is never near enough.
+      // Keeps NaN, so that the tolerance counts as missed.
       largest = miss <= largest ? largest : miss;
     }
   }
   return largest;
 }
 
-/// Of all components, over the nodes of level 1; the widest.
+/// The widest range of a component, over the nodes of level 1 of all elements.
 double RangeOf(const Mesh& mesh, const Field& field)
 {
   const auto n = static_cast<std::size_t>(field.values.components);

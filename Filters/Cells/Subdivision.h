@@ -12,7 +12,7 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// How fine each element is cut: level l, edges into 2^l parts.
+/// Subdivision level of each element. Level l divides an edge into 2^l parts.
 struct SubdivisionLevels
 {
   std::vector<std::uint8_t> ofElement;
@@ -20,18 +20,18 @@ struct SubdivisionLevels
   bool aborted = false;
 };
 
-/// The same level everywhere.
+/// The same level for all elements.
 [[nodiscard]] SubdivisionLevels UniformLevels(const HighOrderModel& model, int level);
 
-/// The lowest level, at most `most`, at which linear cells are off by no more than `tolerance`: in
-/// place, over the diagonal of the mesh's box, and in the values of `fields`, over their ranges at
-/// nodes of level 1. Classified at the middles of edges and of cells (of pyramids, of their bases):
-/// by samples, which prove nothing.
+/// The lowest level, at most `most`, at which linear cells differ by at most `tolerance` in
+/// position, relative to the diagonal of the mesh's box, and in the values of `fields`, relative to
+/// their ranges at nodes of level 1. Compared at the middles of edges and cells (of pyramids: of
+/// their bases). These samples prove nothing.
 [[nodiscard]] SubdivisionLevels AdaptedLevels(const HighOrderModel& model,
   const std::vector<const Field*>& fields, double tolerance, int most,
   const StepProgress& progress);
 
-/// What the levels make: points and cells.
+/// Numbers of points, cells and corners at given levels.
 struct SubdivisionSize
 {
   std::int64_t points = 0;
@@ -40,9 +40,9 @@ struct SubdivisionSize
 };
 [[nodiscard]] SubdivisionSize SizeOf(const HighOrderModel& model, const SubdivisionLevels& levels);
 
-/// Makes `output` the linear cells, with the fields' values at their points, the array Element (the
-/// source's cell) and, per cell, the number of its element in `elementOf`. Points are shared within
-/// an element, never between elements: fields may jump there. False where it was aborted.
+/// Fills `output` with the linear cells, the fields' values at their points, and the array Element
+/// (the source's cell); `elementOf` gets each cell's element. Points are shared within an element
+/// and never between elements, because fields may jump there. Returns false where it was aborted.
 [[nodiscard]] bool Subdivide(const HighOrderModel& model, const std::vector<const Field*>& fields,
   const SubdivisionLevels& levels, vtkUnstructuredGrid* output, std::vector<int>& elementOf,
   const StepProgress& progress);

@@ -20,45 +20,47 @@ namespace pixelexact
 {
 namespace
 {
-// Which orders may go. The file holds x_s (1 + e_s) for the node s, |e_s| <= 4 u: half a unit in
-// the last place from writing it and a few from the solver's evaluation. With the change of basis M
-// mode k is then off by at most 4 u max|x| sum_s |M_ks| = 4 u max|x| A_k. A set D of trailing modes
-// is taken for noise when, for each component,
+// The rule for orders that can be dropped. The file holds x_s (1 + e_s) for the node s, |e_s| <= 4
+// u: half a unit in the last place from writing it and a few from the solver's evaluation. With the
+// change of basis M mode k is then off by at most 4 u max|x| sum_s |M_ks| = 4 u max|x| A_k. A set D
+// of trailing modes counts as noise when, for each component,
 //
 //   |c_k| <= 4 u max|x| A_k + size 2^-53   for each k in D,
 //   sum over D of |c_k| B_k <= 1e-6 size,
 //
-// B_k the largest |mode k|. The first says that rounding explains it, that of the nodes or of the
-// element's own coefficients (a cell without a mode has A = 0 but for M's roundings), and decides
-// at usual orders: at order 6 it allows about 1e-14. The second says that nothing is lost which
-// could be seen, where A is large: it grows as 2^n at order n, and the rounding of 17^3 equispaced
-// nodes makes modes of 1e-10, a hundred thousand times larger than that of 7^3. Dropping them
-// brings the map nearer to the solver's. What is dropped is recorded: the map is uncertain by
+// where B_k is the largest |mode k|. The first condition means that rounding of the nodes or of the
+// element's own coefficients explains the mode (a cell without a mode has A = 0 but for M's
+// roundings). It decides at usual orders: at order 6 it allows about 1e-14. The second condition
+// means that no visible detail is lost where A is large: A grows as 2^n at order n, and the
+// rounding of 17^3 equispaced nodes makes modes of 1e-10, a hundred thousand times larger than that
+// of 7^3. Dropping them brings the map nearer to the solver's. The uncertainty of the map records
+// what is dropped:
 //
 //   sum over D of |c_k| B_k  +  min(4 u max|x| sum over the kept k of A_k B_k,
 //                                   4 u max|x| L + u sum over k of |c_k| B_k),
 //
-// L (NoiseBound) what noise in all nodes can move the whole map; it is some hundredth of the sum
-// over k, which holds the rounding of the modes, too.
-// A straight cell with nodes halfway is found so: its orders above 1 are noise. A pyramid of order
-// 2 is in another form than the straight one; the modes of their difference are judged instead.
+// L (NoiseBound) bounds how far noise in all nodes moves the whole map. It is about a hundredth of
+// the sum over k, which includes the rounding of the modes. The rule detects a straight cell with
+// nodes at edge midpoints: its orders above 1 are noise. A pyramid of order 2 has another form than
+// the straight one; there the modes of their difference are tested instead.
 
-/// Which trailing orders of an element's map are noise of its coordinates' roundings (the rule
-/// stands in the source). Refers to what it is made of.
+/// Finds the trailing orders of an element's map that are noise from its coordinates' roundings, by
+/// the rule above. Refers to its arguments.
 class OrderReduction
 {
 public:
-  /// `amplification`: by mode, by which roundings of nodes grow. `modes`: of the map's three
-  /// components, one after the other, and `size`, of the element: world units. `roundings`: of the
-  /// coordinates, world units; `noise`: how far one unit of them may move the map.
+  /// `amplification`: per mode, the factor by which roundings of nodes grow. `modes`: those of the
+  /// map's three components, one after the other. `size`: that of the element. Both are in world
+  /// units. `roundings`: of the coordinates, world units. `noise`: how far one unit of rounding may
+  /// move the map.
   OrderReduction(const Space& space, std::span<const double> amplification,
     std::span<const double> modes, double roundings, double noise, double size);
 
-  /// Whether nothing but noise is there.
+  /// Whether all modes are noise.
   [[nodiscard]] bool IsNoise() const;
   /// The space without the orders that are noise.
   [[nodiscard]] Space Reduce() const;
-  /// World units: how far the map in `kept` may be from the true one.
+  /// Bound of the distance of the map in `kept` from the true map, in world units.
   [[nodiscard]] double Uncertainty(const Space& kept) const;
 
   /// Whether `space` has a mode.
@@ -71,7 +73,7 @@ private:
   /// Whether the modes that are not kept are noise.
   template <class Keeps>
   [[nodiscard]] bool IsNoise(const Keeps& keeps) const;
-  /// Takes the last order of these directions from `kept` where it is noise, and tells whether.
+  /// Lowers `kept` by the last order of these directions where it is noise. Returns whether it was.
   bool Drop(std::span<const int> directions, Space& kept) const;
 
   Space Full;
@@ -187,7 +189,7 @@ Space OrderReduction::Reduce() const
     {
       case Shape::Hexahedron:
         again = Drop(kAll, kept);
-        // One direction alone only where not all three can go.
+        // Tries single directions only where not all three can be lowered.
         for (int d = 0; d < 3 && !again; ++d)
         {
           again = Drop(std::span(&d, 1), kept);
@@ -265,7 +267,7 @@ std::vector<double> ModesOf(
   thread_local std::vector<double> nodes;
   thread_local ChangeOfBasis::Scratch scratch;
   std::vector<double> modes(3 * static_cast<std::size_t>(change.Target().Modes()));
-  // A slab's z is not the points'.
+  // The z of a slab does not come from the points.
   const std::size_t components = mesh.GetSlab() ? 2 : 3;
   const std::array<double, 3> shifts{ centre.x, centre.y, centre.z };
   mesh.GatherAll(element, mesh.Coordinates(), 3, static_cast<int>(components), nodes);
@@ -273,8 +275,8 @@ std::vector<double> ModesOf(
   return modes;
 }
 
-/// How far a pyramid of order 2 is from the straight one between its vertices, world units; none
-/// where rounding does not explain it.
+/// Distance of a pyramid of order 2 from the straight pyramid between its vertices, world units.
+/// None where rounding does not explain it.
 std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<double> modes,
   const std::vector<double>& straight, double roundings, double size)
 {
@@ -302,7 +304,7 @@ std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<dou
   }
   return largest;
 }
-/// From the plane's space into the slab's.
+/// Maps the geometry from the plane's space to the slab's.
 void Lift(const Slab& slab, const ElementUnits& units, ElementGeometry& geometry)
 {
   const Space plane = geometry.space;
@@ -361,7 +363,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
       {
         if (OrderReduction::Has(geometry.space, p, q, r))
         {
-          // A power of two: exact.
+          // The factor is a power of two, so the product is exact.
           geometry.coefficients.push_back(inUnits * modes[c * count + mode]);
         }
       });

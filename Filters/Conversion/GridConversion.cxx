@@ -48,9 +48,9 @@ bool AllFinite(std::span<const double> values)
   return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
-/// The maps of a mesh as they are converted. The orders that remain, and so the places of the
-/// coefficients, are known only then: some elements at a time are put behind the others, in room
-/// for all, of which what is never written takes no memory.
+/// Collects the maps of a mesh during conversion. The remaining orders, and so the places of the
+/// coefficients, are known only after an element is converted. Therefore elements are appended in
+/// batches to an array with room for all; pages that are never written take no memory.
 class MapArrays
 {
 public:
@@ -124,8 +124,8 @@ void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
   }
 }
 
-/// Adds the coefficients of a field of the grid's points, in the spaces of the cells. Returns the
-/// number of elements where they are not finite, as the next function.
+/// Adds the coefficients of a field at the grid's points, in the spaces of the cells. Returns the
+/// number of elements with coefficients that are not finite.
 int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid)
 {
   const int components = values->GetNumberOfComponents();
@@ -159,7 +159,8 @@ int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructu
   return nonFinite;
 }
 
-/// Adds a field that is constant in each cell; `values` has one tuple per cell of `grid`.
+/// Adds a field that is constant in each cell; `values` has one tuple per cell of `grid`. Returns
+/// the number of elements with values that are not finite.
 int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid)
 {
   const int components = values->GetNumberOfComponents();
@@ -174,7 +175,7 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
   int nonFinite = 0;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
-    // The first mode is 1.
+    // Mode 0 is the constant 1.
     const std::span<double> out = expansion.Coefficients(e);
     values->GetTuple(e, out.data());
     nonFinite += AllFinite(out) ? 0 : 1;
@@ -183,7 +184,7 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
   return nonFinite;
 }
 
-/// Of a field's range.
+/// Largest loss that is accepted, relative to the field's range.
 constexpr double kMaxRationalLoss = 1e-9;
 
 std::string InFewDigits(double number)
@@ -194,7 +195,7 @@ std::string InFewDigits(double number)
   return text.str();
 }
 
-/// What is lost of the map.
+/// The message on the rational cells and the loss of their maps.
 std::string DescribeRationals(const SourceMesh& mesh)
 {
   double loss = 0.0;
@@ -207,7 +208,8 @@ std::string DescribeRationals(const SourceMesh& mesh)
     InFewDigits(loss) + ", which verdicts take into account";
 }
 
-/// The same of a field. Throws Unsupported where that could be seen.
+/// Adds the message on a field's loss to `lines`. Throws Unsupported where the loss is above
+/// kMaxRationalLoss.
 void DescribeRationalField(
   const SourceMesh& mesh, vtkDataArray* values, std::vector<std::string>& lines)
 {

@@ -20,20 +20,21 @@ namespace
 // for all t in [0,1]: det J has the sign of det A, and |det J| >= |det A| (1 - rho)^3, for the
 // eigenvalues of A^-1 J are no nearer to 0 than 1 - rho.
 
-/// Between which values the gradients of a space's modes are at sample points. A map's Jacobian
-/// there is at most so far from a matrix in the middle, which often decides the sign of its
-/// determinant at all of them without looking at any.
+/// The ranges of the gradients of a space's modes over sample points. They bound the distance of a
+/// map's Jacobian at the samples from a central matrix. This often decides the sign of det J at all
+/// samples without evaluating it there.
 class GradientSpread
 {
 public:
   GradientSpread(const Space& space, const LanePoints& samples);
 
-  /// 1 or -1 where det J has this sign at every sample, its size above `vanishing` times the
-  /// product of the lengths of J's columns; 0: not decided. `coefficients`: three components.
+  /// Returns 1 or -1 where det J has this sign at every sample, and |det J| is above `vanishing`
+  /// times the product of the lengths of J's columns; 0 where that is not decided. `coefficients`:
+  /// three components.
   [[nodiscard]] int SignOfJacobian(const double* coefficients, double vanishing) const;
 
 private:
-  /// Of a derivative by one xi.
+  /// The range of a mode's derivative by one xi: middle +- reach.
   struct Range
   {
     double middle;
@@ -42,7 +43,7 @@ private:
   std::vector<Range> Ranges; ///< three per mode
 };
 
-/// Rounding is far below what this leaves.
+/// Limit of rho. Rounding is far smaller than 1 - rho then.
 constexpr double kLargestRow = 0.999;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
@@ -133,7 +134,8 @@ int GradientSpread::SignOfJacobian(const double* coefficients, double vanishing)
   return det > 0.0 ? 1 : -1;
 }
 
-/// Below this, relative to the product of the Jacobian's columns, a determinant counts as zero.
+/// Determinants below this, relative to the product of the lengths of the Jacobian's columns, count
+/// as zero.
 constexpr double kVanishing = 1e-9;
 
 enum class Sign : std::uint8_t
@@ -149,7 +151,7 @@ struct Samples
   int count = 0;
 };
 
-/// A tensor grid of eta, vertices among it, mapped to xi: twice as fine as the order.
+/// Samples a tensor grid of eta, vertices included, mapped to xi, twice as fine as the order.
 Samples MakeSamples(const Space& space)
 {
   Samples samples;
@@ -216,7 +218,7 @@ Sign SampledSign(const Mesh& mesh, int element, const Samples& samples)
   return positive == count ? Sign::Positive : negative == count ? Sign::Negative : Sign::Mixed;
 }
 
-/// Of one space.
+/// The samples of one space.
 struct SpaceSamples
 {
   Samples samples;
@@ -236,7 +238,8 @@ Sign SignOf(const Mesh& mesh, int element, const SpaceSamples& space)
   return SampledSign(mesh, element, space.samples);
 }
 
-/// The spread takes a sampling of each mode.
+/// Makes the samples of each space. A spread costs an evaluation of each mode at all samples, so it
+/// is made only for spaces with many elements.
 std::vector<SpaceSamples> MakeSpaceSamples(const Mesh& mesh)
 {
   std::vector<std::int64_t> elements(mesh.map.spaces.size());

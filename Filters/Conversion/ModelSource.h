@@ -21,19 +21,21 @@ namespace pixelexact
 {
 class KeptMesh;
 
-/// The model of a filter's input: a grid, which may carry coefficients or be a plain one; that is
-/// then converted, and the conversion kept until the grid changes. Or composite data of such grids.
+/// Supplies the model of a filter's input: a grid with coefficients, a plain grid, or composite
+/// data of such grids. Plain grids are converted, and the conversion is kept until the grid
+/// changes.
 class ModelSource
 {
 public:
   ModelSource();
   ~ModelSource();
 
-  /// Diagnostics of the conversion become warnings of `owner`. Throws Error.
+  /// Returns the model of `data`. Diagnostics of the conversion become warnings of `owner`. Throws
+  /// Error.
   std::shared_ptr<HighOrderModel> Get(vtkDataObject* data, vtkAlgorithm* owner);
 
-  /// After Get: the data whose cells are the model's elements, which of plain data is another
-  /// object.
+  /// After Get: the data whose cells are the model's elements. For plain data this is another
+  /// object than the input.
   [[nodiscard]] vtkDataObject* GridOf(vtkDataObject* data) const;
 
 private:
@@ -43,18 +45,18 @@ private:
 
   vtkSmartPointer<vtkDataObject> Converted;
   DataState Source; ///< that it was made of
-  // Held until the next one is made, which may share its locator.
+  // Keeps the model until the next one exists, which may share its locator.
   std::shared_ptr<HighOrderModel> Model;
   std::vector<std::unique_ptr<KeptMesh>> Meshes; ///< by leaf
 };
 
-/// A port that takes what a ModelSource does.
+/// Lets a port accept the data that a ModelSource accepts.
 void TakeGrids(vtkInformation* port);
-/// The name that is given, else that of the first array that the filter is told to process; empty
-/// where there is neither.
+/// Returns `given` or, where it is empty, the name of the first array that the filter has to
+/// process; empty where there is none.
 std::string ChosenName(vtkAlgorithm* filter, const std::string& given);
 
-/// The grid itself where it carries coefficients; else one that was converted. Diagnostics of the
+/// Returns the grid itself where it has coefficients, else a converted one. Diagnostics of the
 /// conversion become warnings of `owner`. Throws Error.
 vtkSmartPointer<vtkUnstructuredGrid> WithCoefficients(
   vtkUnstructuredGrid* grid, vtkAlgorithm* owner);

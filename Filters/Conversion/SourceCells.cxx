@@ -47,7 +47,8 @@ bool IsSimplex(int type)
     type == VTK_LAGRANGE_TRIANGLE || type == VTK_BEZIER_TRIANGLE;
 }
 
-/// With equal weights a rational Bezier cell is a polynomial one.
+/// Whether the rational weights of these points are equal. A Bezier cell with equal weights is
+/// polynomial.
 bool HasEqualWeights(vtkUnstructuredGrid* grid, std::span<const vtkIdType> points)
 {
   vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
@@ -60,7 +61,7 @@ bool HasEqualWeights(vtkUnstructuredGrid* grid, std::span<const vtkIdType> point
     std::ranges::all_of(points, [&](vtkIdType p) { return weights->GetComponent(p, 0) == first; });
 }
 
-/// Throws InvalidData for weights that are not positive.
+/// Hashes a cell's weights. Throws InvalidData for weights that are not positive.
 std::uint64_t HashWeights(
   vtkUnstructuredGrid* grid, vtkIdType cell, int type, std::span<const vtkIdType> points)
 {
@@ -125,7 +126,7 @@ CellKind KindOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type,
     IsLagrangeCell(type) ? nodes : NodeConvention() };
   if (IsHigherOrderCell(type) || IsHigherOrderPlaneCell(type))
   {
-    // A simplex's order is told by its points.
+    // The number of points determines a simplex's order.
     if (!IsSimplex(type))
     {
       kind.degrees = GivenDegrees(grid, cell);
@@ -142,7 +143,7 @@ void CheckConsistency(vtkUnstructuredGrid& grid)
 {
   const vtkIdType points = grid.GetNumberOfPoints();
   const vtkIdType cells = grid.GetNumberOfCells();
-  // A file that ends before its cells leaves none of the arrays.
+  // A truncated file may leave the grid without cell arrays.
   if (vtkCellArray* connectivity = cells > 0 ? grid.GetCells() : nullptr)
   {
     if (CellTypeCount(grid) != cells)

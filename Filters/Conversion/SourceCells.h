@@ -18,34 +18,36 @@
 
 namespace pixelexact
 {
-/// Of each type of the grid's cells; negative where VTK does not know the type.
+/// The dimension of each type among the grid's cells; negative where VTK does not know the type.
 std::map<int, int> DimensionsOf(vtkUnstructuredGrid* grid);
 
-/// 3 where there is a type that VTK does not know.
+/// The largest dimension; 3 where VTK does not know one of the types.
 int HighestDimension(const std::map<int, int>& dimensions);
 
 /// "cell 12 (vtkLagrangeWedge)"
 std::string NameCell(vtkIdType cell, int type);
 
-/// What the grid says of a cell: its type, points, degrees and rational weights. Throws
-/// InvalidData, naming the cell, for a point that is not there, degrees that are none, and weights
-/// that are not positive. `nodes`: where those of a Lagrange cell stand.
+/// Reads a cell's type, points, degrees and rational weights from the grid. `nodes`: positions of
+/// nodes in Lagrange cells. Throws InvalidData, naming the cell, for points that do not exist,
+/// invalid degrees, and weights that are not positive.
 CellKind KindOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type,
   std::span<const vtkIdType> points, const NodeConvention& nodes);
 
-// From VTK 9.6 on types and offsets may be any arrays, and those of old have other names.
+// From VTK 9.6 on, types and offsets may be arrays of any kind, and the functions below replace the
+// old ones.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-/// How many types of cells a grid holds; of an incomplete file not as many as cells.
+/// The number of cell types that a grid stores. It differs from the number of cells for truncated
+/// files.
 inline vtkIdType CellTypeCount(vtkUnstructuredGrid& grid)
 {
   return grid.GetCellTypes()->GetNumberOfTuples();
 }
-/// The points of cells that are stored with 64 bits, one cell after the other.
+/// The point ids of cells that are stored with 64 bits, one cell after the other.
 inline auto* PointIds64(vtkCellArray& cells)
 {
   return cells.GetConnectivityAOSArray64();
 }
-/// Where each of these cells begins among them, and where the last one ends.
+/// The offset of each of these cells in the point ids, and the end of the last one.
 inline auto* Offsets64(vtkCellArray& cells)
 {
   return cells.GetOffsetsAOSArray64();
@@ -65,9 +67,9 @@ inline auto* Offsets64(vtkCellArray& cells)
 }
 #endif
 
-/// Throws InvalidData where a grid that came from a file contradicts itself: cells that point
-/// beyond the points, or arrays of other lengths than their data set's, would be read out of bounds
-/// later.
+/// Throws InvalidData where a grid from a file contradicts itself: point ids out of range, or
+/// arrays whose length differs from that of their data set. Reading such a grid later would be out
+/// of bounds.
 PIXELEXACTFILTERS_EXPORT void CheckConsistency(vtkUnstructuredGrid& grid);
 } // namespace pixelexact
 #endif

@@ -25,7 +25,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of coordinates, by which points of a plane may be off it.
+/// Distance of a plane's points from it that rounding explains, in roundings of their coordinates.
 constexpr double kPlaneRoundings = 4.0;
 
 bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
@@ -124,7 +124,7 @@ void SourceMesh::FindSlab()
   Plane = MakeSlab(low, high, kPlaneRoundings * Roundoff);
 }
 
-/// The grid's own lists where they are of vtkIdType, else copies.
+/// Views the grid's own lists where they are of vtkIdType, else copies them.
 void SourceMesh::ViewConnectivity(vtkUnstructuredGrid* grid)
 {
   Connectivity = grid->GetCells();

@@ -24,25 +24,27 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// CellData, int64, of a grid that is a part of another: the numbers that its cells have there.
+/// Name of an int64 CellData array of a grid that is part of another: the cells' numbers in the
+/// whole.
 inline constexpr const char* kSourceCells = "PixelExactSourceCell";
 
 /// The three-dimensional cells of a grid or, where it has none, the two-dimensional ones, in the
-/// grid's order, with basis and points. Keeps the grid's points and connectivity, not the grid;
-/// safe to read from several threads.
+/// grid's order, with basis and points. Keeps the grid's points and connectivity, not the grid.
+/// Safe to read from several threads.
 class SourceMesh
 {
 public:
-  /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, weights
-  /// that are not positive or differ too much, points that are not there,
-  /// coordinates that are NaN or infinite, plane cells in no plane z = const; InvalidData for a
-  /// grid without any such cell.
+  /// Throws Unsupported or InvalidData, naming the cell, for: cells without a basis; weights that
+  /// are not positive or differ too much; points that do not exist; coordinates that are NaN or
+  /// infinite; plane cells outside a plane z = const. Throws InvalidData for a grid without volume
+  /// or plane cells.
   explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
 
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
   /// Number of the element's cell in the grid.
   [[nodiscard]] vtkIdType Cell(int element) const { return Cells[element]; }
-  /// What users are shown as its number: that in the grid of which this is a part (kSourceCells).
+  /// The number shown to users. In a part of a grid (kSourceCells) it is the cell's number in the
+  /// whole.
   [[nodiscard]] std::int64_t Number(int element) const
   {
     return Numbers.empty() ? Cells[element] : Numbers[element];
@@ -54,22 +56,22 @@ public:
     return PointIds.subspan(static_cast<std::size_t>(Offsets[cell]),
       static_cast<std::size_t>(Offsets[cell + 1] - Offsets[cell]));
   }
-  /// Of plane cells: the slab that they become.
+  /// The slab of a plane mesh.
   [[nodiscard]] const std::optional<Slab>& GetSlab() const { return Plane; }
-  /// Cells of lower dimension, empty and hidden ones.
+  /// The number of cells that are skipped: those of lower dimension, empty and hidden ones.
   [[nodiscard]] vtkIdType SkippedCells() const { return Skipped; }
   /// "cell 12 (vtkLagrangeWedge)"
   [[nodiscard]] std::string Describe(int element) const;
 
-  /// Half the distance of 1 to the next number of the type of the grid's coordinates.
+  /// Unit roundoff of the type of the grid's coordinates.
   [[nodiscard]] double CoordinateRoundoff() const { return Roundoff; }
   /// x, y, z per point of the grid.
   [[nodiscard]] std::span<const double> Coordinates() const { return Xyz; }
 
-  /// What the element's map loses because polynomials stand for rational functions
+  /// Bound of the difference between the element's polynomial and rational map
   /// (bases-and-kernels.md), in world units; 0 for all other cells.
   [[nodiscard]] double Loss(int element) const { return Rationals.Loss(element); }
-  /// The same of a component of values, in their units.
+  /// The same bound for one component of values, in their units.
   [[nodiscard]] double Loss(
     int element, std::span<const double> values, int components, int component) const
   {
@@ -78,11 +80,11 @@ public:
   /// How many elements are rational.
   [[nodiscard]] int RationalElements() const { return Rationals.Count(); }
 
-  /// Component `component` of `values`, `components` per point, at the element's points; for
-  /// rational elements at the nodes of their basis.
+  /// Writes component `component` of `values`, which has `components` per point, at the element's
+  /// points to `out`; for rational elements at the nodes of their basis.
   void Gather(int element, std::span<const double> values, int components, int component,
     std::vector<double>& out) const;
-  /// The first `wanted` components, one after the other.
+  /// Writes the first `wanted` components, one after the other.
   void GatherAll(int element, std::span<const double> values, int components, int wanted,
     std::vector<double>& out) const;
 

@@ -20,7 +20,7 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kRemedy = "lower the resolution";
-/// Of three numbers each, two to a point.
+/// Bytes per point of a surface with two triangles a point, each of three 8-byte indices.
 constexpr double kBytesOfTriangles = 48.0;
 
 double Longest(const Vec3& sides)
@@ -28,7 +28,7 @@ double Longest(const Vec3& sides)
   return std::max({ sides.x, sides.y, sides.z });
 }
 
-/// Where a plane crosses the edges of a box.
+/// Points where a plane crosses the edges of a box.
 std::vector<Vec3> CrossingsOf(const Vec3& point, const Vec3& normal, const Box3& box)
 {
   std::vector<Vec3> crossings;
@@ -60,7 +60,7 @@ CutTriangles PlaneGrid(
   const double length = glm::length(form.a.g);
   const Vec3 normal = form.a.g / length;
   const Vec3 point = form.origin - normal * (form.a.c / length);
-  // The axis that is most nearly in the plane leads one way.
+  // The first direction in the plane is along the axis with the smallest normal component.
   const Vec3 slant = glm::abs(normal);
   const int axis = slant.x <= slant.y && slant.x <= slant.z ? 0 : (slant.y <= slant.z ? 1 : 2);
   Vec3 along(0.0);
@@ -121,7 +121,7 @@ CutTriangles PlaneGrid(
 
 constexpr int kSubdivisions = 16;
 
-/// From a point inside to one that is not.
+/// An edge from a point inside the mesh to one that is not inside.
 using Edge = std::pair<std::int64_t, std::int64_t>;
 
 class Clipper
@@ -167,7 +167,7 @@ private:
     return number;
   }
 
-  /// Of an edge; counted down from -1, for where the rim begins is not known yet.
+  /// The rim point of an edge. Numbers count down from -1 until the number of kept points is known.
   std::int64_t RimPoint(std::int64_t inside, std::int64_t outside)
   {
     const auto [at, isNew] =
@@ -195,7 +195,7 @@ private:
         continue;
       }
       ++Result.atTheRim;
-      // The corner that is alone comes first.
+      // Rotates the triangle so that the corner that differs from the other two comes first.
       const bool alone = inside == 1;
       while (IsInside(t[0]) != alone || IsInside(t[1]) == alone)
       {
@@ -213,7 +213,8 @@ private:
     }
   }
 
-  /// On the surface, of each edge so far on its way, and a step more.
+  /// Computes the points on the surface that are `step` beyond the positions `reached` along their
+  /// edges (both in units of the edge).
   void Advance(std::span<const double> reached, double step, std::span<Vec3> x) const
   {
     std::vector<double> lengths(Edges.size());
@@ -295,7 +296,7 @@ std::int64_t BringOntoSurface(
       {
         ++off;
       }
-      // Rounding of far coordinates lets steps become no smaller than this.
+      // Rounding of large coordinates limits how small steps become.
       else if (arrived || glm::length(step) <= 4e-16 * Longest(glm::abs(then)) ||
         i + 1 == kMaxSteps)
       {

@@ -201,7 +201,7 @@ SurfaceIntegral IntegratePatches(const IntegralQuestion& question,
     const PolynomialSurface surface(patch.surface);
     const IntegralQuestion part{ question.mesh, question.field, &surface, all, patch.within };
     IntegralEffort share = effort;
-    // What others leave of their time is for those that come behind.
+    // Time that earlier patches did not use is shared among the remaining ones.
     const std::chrono::duration<double> spent = Clock::now() - start;
     share.seconds = std::max(1e-3, (effort.seconds - spent.count()) / static_cast<double>(left--));
     AddTo(sum, IntegrateCut(part, model.GetLocator(), model.Faces(), share));

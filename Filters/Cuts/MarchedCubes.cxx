@@ -21,10 +21,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Cubes along the longest side at the beginning.
+/// Cubes along the longest side of the coarsest level.
 constexpr int kMaxAtOnce = 64;
-/// Cubes whose corners are asked for together, of functions that are asked by one thread and take
-/// time to begin; and of others.
+/// Cubes whose corners are evaluated in one call. The first number is for functions that only the
+/// calling thread may evaluate and whose calls have overhead, the second for all others.
 constexpr std::size_t kCubesAtOnce = 2048;
 constexpr std::size_t kCubesPerTask = 64;
 
@@ -39,10 +39,10 @@ struct Place
   int x[3];
 };
 
-/// Of a cube, in the order of VTK's cases.
+/// Corners of a cube, in the order of VTK's cases.
 constexpr int kCorners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
-/// Of its edges the lower corner, and the axis along which they lead.
+/// Edges of a cube: lower corner and axis.
 constexpr int kEdges[12][2] = { { 0, 0 }, { 1, 1 }, { 3, 0 }, { 0, 1 }, { 4, 0 }, { 5, 1 },
   { 7, 0 }, { 4, 1 }, { 0, 2 }, { 1, 2 }, { 3, 2 }, { 2, 2 } };
 
@@ -106,7 +106,7 @@ public:
     {
       const StepProgress part = [&](double done)
       { return !progress || progress((h + done) / (Subdivisions + 2)); };
-      // A surface crosses some 4 cubes of each 4 times as many.
+      // A surface crosses about 4 times as many cubes at each further level.
       const double later = std::pow(4.0, Subdivisions - h);
       if (!Keep(part))
       {
@@ -127,10 +127,10 @@ public:
   }
 
 private:
-  /// By the keys of its corners: node and axis of the edge that each lies on.
+  /// The keys of its corners. A key holds the lower node and the axis of an edge.
   using Triangle = std::array<std::int64_t, 3>;
 
-  /// work(begin, end), for ranges.
+  /// Calls work(begin, end) for ranges of `count` items.
   template <class Work>
   bool ForAll(std::size_t count, const StepProgress& progress, const Work& work) const
   {
@@ -138,7 +138,7 @@ private:
     return BatchedSteps(count, alone ? kCubesAtOnce : kCubesPerTask, alone, progress, work);
   }
 
-  /// Whether the surface may be in cubes.
+  /// Marks the cubes that may contain the surface.
   void MayHold(std::span<const Place> cubes, std::span<std::uint8_t> held) const
   {
     std::vector<Vec3> centres(cubes.size());
@@ -155,7 +155,7 @@ private:
     {
       const double most =
         reach * (glm::length(gradients[i]) * (IsQuadric ? 1.0 : 3.0) + reach * Bend);
-      // With some room for rounding; what is no number may be anything.
+      // The factor covers rounding. A cube with NaN stays marked.
       held[i] = std::fabs(values[i]) > 1.000001 * most ? 0 : 1;
       if (held[i] == 0 && !IsQuadric)
       {
@@ -208,7 +208,7 @@ private:
     Cells.side /= 2.0;
   }
 
-  /// A bit for each corner on the positive side.
+  /// Computes each cube's case: one bit per corner on the positive side.
   void CasesOf(std::span<const Place> cubes, std::span<std::uint8_t> cases) const
   {
     std::vector<Vec3> corners;
@@ -243,7 +243,7 @@ private:
     return 3 * node + kEdges[edge][1];
   }
 
-  /// On the edges of keys, where linear interpolation has 0.
+  /// Computes the points on the edges of `keys` where linear interpolation is 0.
   void PointsOf(std::span<const std::int64_t> keys, std::span<Vec3> points) const
   {
     std::vector<Vec3> ends;

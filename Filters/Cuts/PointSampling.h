@@ -27,28 +27,28 @@ struct SamplingOptions
 class PointSampling
 {
 public:
-  /// Bytes that it takes for a point, without what AddFields adds.
+  /// Bytes per point, without the arrays that AddFields adds.
   static constexpr double kBytesPerPoint = 66.0;
 
-  /// `progress` is that of the location.
+  /// Locates `points`, reporting to `progress`.
   PointSampling(
     const HighOrderModel& model, std::vector<Vec3> points, const StepProgress& progress = {});
 
-  /// Whether `progress` ended it; there is nothing more to ask then.
+  /// Whether `progress` aborted the location. The functions below must not be called then.
   [[nodiscard]] bool IsAborted() const { return Aborted; }
 
-  /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
+  /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, on request,
   /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units), <field>_lower and
-  /// <field>_upper (see EncloseValues). False where `progress` ended it. Throws
-  /// InvalidData for a field that is not there; and, as the other two, where an array's name is
+  /// <field>_upper (see EncloseValues). Returns false where `progress` aborted it. Throws
+  /// InvalidData for a field that does not exist and, as the other two, for an array name that is
   /// taken.
   bool AddFields(
     const SamplingOptions& options, vtkPointData* output, const StepProgress& progress = {}) const;
 
   /// Adds Xi (reference coordinates, NaN where not inside), Element (number of the source cell, -1
   /// outside, a candidate where undecided), Verdict (0 outside, 1 inside, 2 unknown) and Residual
-  /// (the last correction of Newton's iteration, in xi). Of composite data also Block (its flat
-  /// index, -1 where Element is).
+  /// (the last correction of Newton's iteration, in xi). For composite data it adds Block (flat
+  /// index, -1 where Element is -1).
   void AddLocations(vtkPointData* output) const;
 
   /// Adds Owners (int, preimages in all elements) and Coverage (unsigned char: 0 none, 1 once, 2
@@ -58,7 +58,8 @@ public:
   [[nodiscard]] std::span<const Verdict> Verdicts() const { return verdicts_; }
 
 private:
-  /// work(run) for the runs of points in an element; only the calling thread tells of progress.
+  /// Calls work(run) for the runs of points in an element. Only the calling thread reports
+  /// progress.
   template <class Work>
   bool ForRuns(const StepProgress& progress, const Work& work) const;
   bool AddField(

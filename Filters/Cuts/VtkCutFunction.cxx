@@ -37,7 +37,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What is asked wherever a value is wanted.
+/// Evaluates a vtkImplicitFunction at each point that needs a value.
 class AskedFunction final : public CutFunction
 {
 public:
@@ -54,7 +54,7 @@ public:
       std::ranges::find_if(values, [](double value) { return std::isnan(value); });
     if (missing != values.end())
     {
-      // So a function that fails is not asked a million times more.
+      // Fails at the first NaN, so that a failing function is not called a million more times.
       const Vec3& at = x[static_cast<std::size_t>(missing - values.begin())];
       std::ostringstream text;
       text << "the " << Function->GetClassName() << " has no value at (" << at.x << ", " << at.y
@@ -91,7 +91,8 @@ public:
   [[nodiscard]] bool NeedsCallingThread() const override { return true; }
 
 private:
-  /// By this thread alone, as VTK's functions for many points are not.
+  /// Evaluates point by point on the calling thread. VTK's functions for arrays of points may use
+  /// several threads.
   void AskOneByOne(std::span<const Vec3> x, std::span<double> values) const
   {
     const CallbackWatch watch;
@@ -122,7 +123,7 @@ ImplicitPolynomial FormOf(vtkPlane* plane)
 {
   ImplicitPolynomial form;
   plane->GetOrigin(glm::value_ptr(form.origin));
-  // The function itself, and not GetNormal(): newer planes also have an offset along the normal.
+  // Uses the function itself, not GetNormal(): newer planes also have an offset along the normal.
   plane->EvaluateGradient(glm::value_ptr(form.origin), glm::value_ptr(form.a.g));
   if (form.a.g == Vec3(0.0))
   {
@@ -146,7 +147,7 @@ ImplicitPolynomial FormOf(vtkCylinder* cylinder)
   return form;
 }
 
-// Newer cones may have one half.
+// Newer cones may have one half only.
 template <class Cone>
 std::optional<ImplicitPolynomial> FormOf(Cone* cone)
 {
@@ -174,7 +175,7 @@ ImplicitPolynomial FormOf(vtkQuadric* quadric)
   return form;
 }
 
-/// Without the transform.
+/// The polynomial of `function` without its transform.
 std::optional<ImplicitPolynomial> PlainForm(vtkImplicitFunction* function)
 {
   if (auto* plane = vtkPlane::SafeDownCast(function))

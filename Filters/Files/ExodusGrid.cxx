@@ -32,14 +32,14 @@ namespace
 using Block = ExodusFile::Block;
 constexpr std::int64_t kMaxId = std::numeric_limits<std::int32_t>::max();
 
-/// The fields at nodes, or of elements, which grow with the mesh.
+/// Fields at nodes or of elements, which grow as parts of the mesh are appended.
 class GrowingFields
 {
 public:
   using Values = std::vector<double>;
 
-  /// Appends a field's values at those that begin at `place`: of each component one for each of
-  /// `count` things, or none, which is NaN.
+  /// Appends a field's values at the `count` entities from `place` on. Each component has `count`
+  /// values, or none, which is stored as NaN.
   void Append(const std::string& name, std::int64_t place, std::int64_t count,
     const std::vector<Values>& components)
   {
@@ -90,7 +90,7 @@ private:
   std::vector<std::string> Order;
 };
 
-/// One side set in all parts.
+/// A side set, joined from all parts.
 struct Sides
 {
   std::string name;
@@ -161,7 +161,8 @@ private:
     }
   }
 
-  /// Points of single precision tell the converter how far they are rounded.
+  /// Sets points in single precision where all parts are, so that the converter assumes
+  /// single-precision roundings.
   void SetPoints()
   {
     vtkNew<vtkPoints> points;
@@ -264,7 +265,7 @@ private:
     }
   }
 
-  /// A vector of a plane gets a third component.
+  /// Gives vectors in a plane a third component of zero.
   static void Complete(
     std::vector<std::vector<double>>& components, int dimensions, std::int64_t count)
   {
@@ -303,7 +304,7 @@ private:
     }
   }
 
-  /// Shells have a thickness, and fields on both sides, that no plane element has.
+  /// Refuses shells: plane elements have neither their thickness nor fields on both sides.
   void RefuseShells() const
   {
     const auto isShell = [](const std::string& type)
@@ -314,7 +315,8 @@ private:
     }
   }
 
-  /// The numbers of blocks. After the file's fields: the first one is shown where none is named.
+  /// Adds the array Attribute: the number of each cell's block. It follows the file's fields,
+  /// because the first field is shown by default.
   void AddAttributes()
   {
     const auto add = [this](auto& array)
@@ -423,18 +425,18 @@ private:
   std::map<std::int64_t, std::string> BlockNames;
   std::map<std::int64_t, Sides> SideSets;
   std::vector<std::string> LeftOut;
-  /// By a field's name: blocks without values, by the dimension of their elements, and the largest
+  /// Per field: blocks without values, by the dimension of their elements, and the largest
   /// dimension of elements with values.
   std::map<std::string, std::map<int, std::set<std::int64_t>>> Missing;
   std::map<std::string, int> Found;
   std::size_t NoSides = 0;
   std::int64_t NodeSets = 0; ///< of one part
-  // These two belong to the part that Add reads.
+  // The next two members belong to the part that Add reads.
   vtkIdType FirstPoint = 0;
   std::map<std::int64_t, vtkIdType> FirstCellOf; ///< of a block, by its first element
 };
 
-/// Calls `read`; what it throws names the file.
+/// Calls `read`. Prefixes its exceptions with the file's name.
 template <class Read>
 auto Naming(const std::string& file, const Read& read)
 {

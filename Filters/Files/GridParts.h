@@ -18,22 +18,22 @@ struct ReadGrid
   std::vector<std::string> notes; ///< lines for the user
 };
 
-/// Reads .vtu files, also those that .pvtu files name, and puts them together, one after the other,
-/// without merging points: what is discontinuous stays so. Of several parts,
+/// Reads .vtu files, also those that .pvtu files name, and appends them without merging points, so
+/// that discontinuous fields stay discontinuous. Rules for several parts:
 ///
-/// - cells that another part holds too (ghosts marked as duplicates) are left out;
-/// - parts without volume cells are left out, and so are arrays that not all others have alike;
-///   both are noted;
-/// - coefficients that were made from nodal values are dropped (the converter makes them again);
-///   those of a solver's own file are put together where all parts carry such, and Unsupported,
-///   since they could only be lost, where some do not.
+/// - cells that another part also holds (ghosts marked as duplicates) are left out;
+/// - parts without volume cells are left out, and so are arrays that differ in kind or are missing
+///   in other parts; both are noted;
+/// - coefficients converted from nodal values are dropped, because the converter creates them
+///   again; those of a solver's own file are joined where all parts have them, and refused
+///   (Unsupported) where some have not, because they would be lost.
 ///
-/// Of what VTK's reader warns, each thing once, is noted too. Throws Error, naming the file.
+/// Each warning of VTK's reader is noted once. Throws Error, naming the file.
 ///
-/// For one process of several, `share`: of several files some that follow each other are read, a
-/// single one is read whole and cut. Cells then have the numbers of the
-/// whole in CellData kSourceCells (SourceMesh.h); see ElementsBefore (PartExchange.h), which is
-/// called. A process without a file has an empty grid.
+/// `share`: the share of one process of several. Of several files a process reads consecutive ones;
+/// a single file is read whole and cut. Cells then have their numbers in the whole in CellData
+/// kSourceCells (SourceMesh.h). Calls ElementsBefore (PartExchange.h), so all processes must call
+/// it. A process without a file gets an empty grid.
 PIXELEXACTFILTERS_EXPORT ReadGrid ReadParts(
   const std::vector<GridPart>& parts, const PieceOf& share = {});
 } // namespace pixelexact

@@ -26,7 +26,7 @@ namespace
 constexpr char kDone = '+';
 constexpr char kFailed = '-';
 constexpr char kNoMemory = 'm';
-/// Waiting for a disk, or for others on a loaded machine, is no reason to end a process.
+/// Grace factor: waiting for a disk or for other processes does not end the process.
 constexpr unsigned kPatience = 20; ///< seconds for one of processor time
 
 /// Bytes of address space that this process has; 0: not known.
@@ -152,7 +152,8 @@ std::string ReadReport(int pipe, unsigned seconds)
 
 ApartLimits LimitsForFile(std::size_t bytes)
 {
-  // Numbers of four bytes become those of eight, some arrays are copied; and the library's own.
+  // Room for 4-byte numbers that become 8-byte ones, for copies of arrays, and for the library's
+  // own data.
   constexpr std::size_t kEach = 16;
   constexpr std::size_t kBytes = std::size_t{ 512 } << 20U;
   constexpr std::size_t kBytesInSecond = std::size_t{ 1 } << 22U;
@@ -200,13 +201,13 @@ void RunApart(const ApartLimits& limits, const std::string& what, const std::fun
   {
     throw InvalidData(what +
       " ended, crashed or did not come to an end; the file is damaged or cut "
-      "short: copy it anew");
+      "short: copy it again");
   }
   if (report.front() == kNoMemory)
   {
     throw InvalidData(what +
       " asks for more memory than the file can hold; the file is damaged: "
-      "copy it anew");
+      "copy it again");
   }
   if (report.front() == kFailed)
   {

@@ -7,7 +7,7 @@
 
 namespace pixelexact
 {
-/// What a process may take in addition to what its parent had.
+/// Resources that a process may use in addition to those of its parent.
 struct ApartLimits
 {
   std::size_t bytes = 0; ///< of address space

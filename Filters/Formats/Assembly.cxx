@@ -23,7 +23,7 @@ namespace
 using Bases = std::span<const ElementBasis* const>;
 using Describe = std::function<std::string(std::size_t)>;
 
-/// What one thread works in.
+/// Scratch memory of one thread.
 struct Work
 {
   std::vector<double> source;
@@ -49,7 +49,7 @@ Space Same(const Space& space)
   return space;
 }
 
-/// In spaces that `spaceOf` makes of the bases'.
+/// Allocates coefficients in the spaces that `spaceOf` makes from the bases' spaces.
 OwnedExpansion Allocate(Bases basis, int components, Space (*spaceOf)(const Space&))
 {
   std::vector<Space> spaces(basis.size());
@@ -73,7 +73,8 @@ struct Box
   Vec3 high{ -INFINITY };
 };
 
-/// Of source values, component by component; a plane mesh's z stays 0.
+/// The box of one element's source values, which are stored component by component; a plane mesh's
+/// z stays 0.
 Box BoxOf(std::span<const double> source, int components, const Describe& describe, std::size_t e)
 {
   const std::size_t n = source.size() / components;
@@ -89,7 +90,7 @@ Box BoxOf(std::span<const double> source, int components, const Describe& descri
       if (!std::isfinite(x))
       {
         throw InvalidData(
-          describe(e) + " has a coordinate that is NaN or infinite; write the mesh anew.");
+          describe(e) + " has a coordinate that is NaN or infinite; write the mesh again.");
       }
       box.low[c] = std::fmin(box.low[c], x);
       box.high[c] = std::fmax(box.high[c], x);
@@ -110,14 +111,14 @@ ElementUnits UnitsOf(const Box& box, const Describe& describe, std::size_t e)
   }
 }
 
-/// The centre, for as many components.
+/// The coordinates of the element's centre, one per component.
 std::span<const double> ShiftsOf(const ElementUnits& units, std::size_t components)
 {
   static_assert(sizeof(units.centre) == 3 * sizeof(double));
   return { &units.centre.x, components };
 }
 
-/// For each basis.
+/// The map's noise for each basis.
 std::map<const ElementBasis*, MapNoise> NoiseOf(Bases basis)
 {
   std::map<const ElementBasis*, MapNoise> noise;
@@ -136,7 +137,8 @@ void Prepare(Bases basis, Space (*spaceOf)(const Space&), SolverMesh& mesh)
   mesh.uncertainty.resize(basis.size());
 }
 
-/// `modes`: the map's, in its units.
+/// Stores an element's units, uncertainty and `modes` in `mesh`; `modes`: those of the map, in
+/// units of the element.
 void StoreUnits(const ElementUnits& units, const MapNoise& noise, std::span<const double> modes,
   std::size_t e, SolverMesh& mesh)
 {

@@ -19,10 +19,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Text of numbers is compressed to a third or so; much more than that is no text of numbers.
+/// Text of numbers is compressed to about a third. A much higher ratio is not text of numbers.
 constexpr std::uintmax_t kLargestExpansion = 200;
 constexpr std::size_t kBlock = std::size_t{ 1 } << 20U;
-/// Less is not worth a mapping.
+/// Smaller files are read instead of mapped.
 constexpr off_t kMinMapped = off_t{ 1 } << 23U;
 
 bool IsGzip(int file)
@@ -36,7 +36,7 @@ struct CloseFile
   void operator()(gzFile file) const { gzclose_r(file); }
 };
 
-/// Of a decimal number that is not zero: whether it is below 1.
+/// Whether a decimal number that is not zero is below 1.
 bool IsSmall(std::string_view number)
 {
   const auto letter = std::min(number.find_first_of("eE"), number.size());
@@ -49,7 +49,7 @@ bool IsSmall(std::string_view number)
   }
   const auto first = static_cast<long>(digits.find_first_of("123456789"));
   const auto point = static_cast<long>(std::min(digits.find('.'), digits.size()));
-  // The first digit stands before the point, or behind it.
+  // Compares the exponent with the position of the first digit relative to the point.
   return exponent < (first < point ? first - point + 1 : first - point);
 }
 } // namespace
@@ -100,10 +100,10 @@ std::string ReadFileText(const std::string& path)
     text.resize(begin + static_cast<std::size_t>(got < 0 ? 0 : got));
     int state = Z_OK;
     const char* message = gzerror(file.get(), &state);
-    // A stream cut short is no error of gzread, only Z_BUF_ERROR.
+    // For a truncated stream gzread reports no error; only the state is Z_BUF_ERROR.
     if (got < 0 || state != Z_OK)
     {
-      throw InvalidData("'" + path + "' is damaged (" + message + "); copy it anew.");
+      throw InvalidData("'" + path + "' is damaged (" + message + "); copy it again.");
     }
     if (got == 0)
     {
@@ -135,7 +135,7 @@ std::string ReadFileHead(const std::string& path, std::size_t bytes)
 FileText::FileText(const std::string& path)
   : Path(path)
 {
-  // A pipe without a writer must not be waited for.
+  // Opening without blocking avoids waiting for a pipe without a writer.
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status
   {
@@ -191,7 +191,8 @@ void FileText::Forget(std::size_t begin, std::size_t end) const
   }
 }
 
-/// Pages beyond the end of a file that somebody cuts short must not be looked at.
+/// Throws where the file was truncated since, because reading mapped pages beyond its end ends the
+/// program.
 void FileText::RequireSameSize() const
 {
   struct stat status

@@ -7,32 +7,32 @@
 #include <span>
 #include <string>
 
-// Plane meshes are slabs: triangles prisms, quadrilaterals hexahedra, whose fields do not change
-// across them (bases-and-kernels.md). A plane element's space is that of its solid, of order 0
-// across.
+// Plane meshes are represented as slabs: triangles become prisms, quadrilaterals hexahedra, whose
+// fields are constant across the slab (bases-and-kernels.md). A plane element's space is that of
+// its solid, with order 0 across.
 namespace pixelexact
 {
-/// Where a slab lies: from middle - thickness / 2 to middle + thickness / 2 along z.
+/// Position of a slab: from middle - thickness / 2 to middle + thickness / 2 along z.
 struct Slab
 {
   double middle = 0.0;
   double thickness = 1.0; ///< a power of two
 };
 
-/// The slab of a plane mesh in this box: a 32nd to a 64th of its shorter side thick, so that it is
-/// flat, or 1 where it has no extent. Throws Unsupported where the box is no plane z = const,
-/// `roundings` of the largest coordinate left aside.
+/// The slab of a plane mesh in this box. Its thickness is a 32nd to a 64th of the box's shorter
+/// side, so that it is flat, or 1 where the box has no extent. Throws Unsupported where the box is
+/// not a plane z = const up to `roundings` of the largest coordinate.
 Slab MakeSlab(const Vec3& low, const Vec3& high, double roundings);
 
-/// What an element of a slab is in the plane: "triangle" or "quadrilateral".
+/// The name of a slab element's plane shape: "triangle" or "quadrilateral".
 const char* PlaneName(Shape solid);
 
 /// The space of order 1 across.
 Space Lifted(const Space& plane);
 
-/// The modes of a map into the slab, three components in the lifted space, from those of x and y,
-/// one after the other in the plane one. `middle` and `half`: of z, in the modes' units, relative
-/// to their centre. Determinants have the sign that they have in the plane.
+/// Writes the modes of a map into the slab to `lifted`: three components in the lifted space, from
+/// those of x and y, which follow one another in the plane space. `middle` and `half`: of z, in the
+/// modes' units, relative to their centre. Determinants have the same sign as in the plane.
 void LiftMap(const Space& plane, std::span<const double> modes, double middle, double half,
   std::span<double> lifted);
 } // namespace pixelexact

@@ -12,17 +12,17 @@
 #include <utility>
 #include <vector>
 
-// What a solver's own files hold, in the canonical bases, before it is put into VTK's arrays: the
-// result of every reader in this folder. Nothing here knows VTK.
+// The contents of a solver's files, in the canonical bases, before conversion to VTK's arrays: the
+// result of every reader in this folder. This code does not depend on VTK.
 
 namespace pixelexact
 {
-/// The vertices' places in VTK's linear cells, as LinearCellOf(shape) has them: hexahedron 8, prism
-/// 6, pyramid 5, tetrahedron 4. A plane element's vertices are there twice, below and above.
+/// The vertices of VTK's linear cells, as in LinearCellOf(shape): hexahedron 8, prism 6, pyramid 5,
+/// tetrahedron 4. Those of a plane element occur twice, below and above.
 using Corners = std::array<std::int64_t, 8>;
 
-/// A face of an element with an attribute, or in a composite. A face between two elements has it in
-/// both; one in several composites is there for each.
+/// A face of an element with an attribute, or in a composite. A face between two elements is listed
+/// for both, and one in several composites for each.
 struct BoundaryFace
 {
   std::int32_t element = 0;
@@ -30,7 +30,7 @@ struct BoundaryFace
   std::int32_t attribute = 0;
 };
 
-/// Elements or boundary faces that the file gives a name or number of its own.
+/// Elements or boundary faces with a name or number in the file.
 struct Group
 {
   std::int32_t id = 0; ///< attribute or composite number
@@ -58,10 +58,10 @@ struct SolverField
   OwnedExpansion values;
   Mapping mapping = Mapping::Identity;
   std::string basis;       ///< for people: "H1, Gauss-Lobatto nodes", "Modified_A x3"
-  bool continuous = false; ///< one value where elements meet, by construction
+  bool continuous = false; ///< values agree where elements meet, by construction
 };
 
-/// A file of a run that left one for each of its processes.
+/// A file of a run that wrote one file for each of its processes.
 struct ReadPiece
 {
   int piece = 0;             ///< counted from 0
@@ -75,15 +75,15 @@ struct SolverModel
   std::optional<double> time;
   /// Numbers of the run by name, such as Nektar++'s parameters: expressions may use them.
   std::map<std::string, double> parameters;
-  /// What was noticed in the file that a user should know, one line each.
+  /// Notes on the file for the user, one line each.
   std::vector<std::string> notes;
-  /// Where some pieces of a run were read and others were not: those that were, in the order of the
-  /// elements, and how many there are. Elements are then numbered as if there were no others.
+  /// Where only some pieces of a run were read: those pieces, in the order of the elements.
+  /// Elements are numbered as if there were no other pieces.
   std::vector<ReadPiece> pieces;
-  int piecesOfRun = 0; ///< 0: everything was read
+  int piecesOfRun = 0; ///< number of pieces of the run; 0: everything was read
 };
 
-// What one process of several takes of a solver's files.
+// The share of one process in a solver's files.
 
 /// One of `count` parts, counted from 0.
 struct PieceOf
@@ -92,8 +92,8 @@ struct PieceOf
   int count = 1;
 
   [[nodiscard]] bool IsWhole() const { return count <= 1; }
-  /// The first of so many things that are the part's, and the one behind its last: parts follow
-  /// each other, so that what they read is in the order of the whole.
+  /// The first of `things` items in the part and the end of its range. Ranges are consecutive, so
+  /// that parts keep the order of the whole.
   [[nodiscard]] std::pair<std::int64_t, std::int64_t> Of(std::int64_t things) const
   {
     return { things * piece / count, things * (piece + 1) / count };
@@ -101,7 +101,7 @@ struct PieceOf
   bool operator==(const PieceOf&) const = default;
 };
 
-/// Drops all elements but those of the part, which follow each other in the file; numbers of
-/// elements stay those of the file. Of a model without a mesh, fields alone.
+/// Drops all elements except those of the part, which are consecutive in the file. Numbers of
+/// elements stay those of the file. For a model without a mesh only fields are cut.
 void KeepPiece(const PieceOf& part, SolverModel& model);
 } // namespace pixelexact

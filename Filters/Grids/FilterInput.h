@@ -16,12 +16,12 @@
 class vtkDataObject;
 class vtkInformationVector;
 
-// What filters do with their input: fields by name, its box, its leaf grids.
+// Helpers for a filter's input: fields by name, bounding box, leaf grids.
 
 namespace pixelexact
 {
-/// The fields of these names; none: all, those that are defined by expressions, too. Throws as
-/// HighOrderModel::GetField.
+/// The fields of these names; all, those that expressions define included, where `names` is empty.
+/// Throws as HighOrderModel::GetField.
 [[nodiscard]] std::vector<const Field*> FieldsNamed(
   const HighOrderModel& model, const std::vector<std::string>& names);
 
@@ -34,12 +34,12 @@ void PrintFields(ostream& os, vtkIndent indent, const std::vector<std::string>& 
 
 // Filters whose output is of the input's type: a grid, or composite data of grids.
 
-/// RequestDataObject: an output of the input's type.
+/// Creates an output of the input's type, in RequestDataObject.
 void MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output);
 
-/// Makes `output`, of the type of `input`, what `made` gives of the grid or of each leaf with
-/// cells. Throws InvalidData where there is neither grid nor composite data, and with the leaf's
-/// name what `made` throws.
+/// Sets `output`, of the type of `input`, to the results of `made` for the grid or for each leaf
+/// with cells. Throws InvalidData where the input is neither a grid nor composite data. Exceptions
+/// of `made` get the leaf's name.
 void ForLeafGrids(vtkDataObject* input, vtkDataObject* output,
   const std::function<vtkSmartPointer<vtkUnstructuredGrid>(vtkUnstructuredGrid*)>& made);
 } // namespace pixelexact

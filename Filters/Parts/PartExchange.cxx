@@ -22,7 +22,7 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// Without point data, and without what is of no element.
+/// A copy of the grid without point data and without fields.
 Grid WithoutFields(vtkUnstructuredGrid* grid)
 {
   Grid bare = IsPacked(grid) ? Unpack(grid) : Grid::New();
@@ -77,10 +77,10 @@ void AgreeThatAllIsWell(const std::string& problem, vtkMultiProcessController* p
     stream >> text;
     first = first.empty() ? text : first;
   }
-  vtkMultiProcessStream told;
-  told << first;
-  processes->Broadcast(told, 0);
-  told >> first;
+  vtkMultiProcessStream stream;
+  stream << first;
+  processes->Broadcast(stream, 0);
+  stream >> first;
   if (!first.empty())
   {
     throw Error(first);
@@ -93,7 +93,7 @@ Grid PackedCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells,
   {
     return Grid::New();
   }
-  // The cells first: only theirs are packed.
+  // Extracts the cells before packing, so that only these are packed.
   return Pack(ExtractedCells(fields ? grid : WithoutFields(grid).Get(), cells));
 }
 
@@ -159,7 +159,7 @@ std::vector<std::int64_t> ElementsBefore(
   if (processes != nullptr)
   {
     AgreeThatAllIsWell(problem, processes);
-    // Which some do not know: those without any.
+    // Processes without pieces do not know the number.
     processes->AllReduce(&counts.pieces, &pieces, 1, vtkCommunicator::MAX_OP);
   }
   else if (!problem.empty())

@@ -20,16 +20,16 @@
 
 class vtkInformation;
 
-// Elements from process to process. What is called here all processes must call.
+// Exchange of elements between processes. All processes must call these functions.
 
 namespace pixelexact
 {
-/// Throws Error on all processes where `problem` is not empty on any: the first one's.
+/// Throws Error on all processes where `problem` is not empty on any, with the first one's text.
 PIXELEXACTFILTERS_EXPORT void AgreeThatAllIsWell(
   const std::string& problem, vtkMultiProcessController* processes);
 
-/// Some cells of a grid with coefficients, packed; empty where there are none. `fields`: with
-/// these.
+/// Packs some cells of a grid with coefficients; empty where there are none. `fields`: whether
+/// fields are packed.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> PackedCells(
   vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells, bool fields);
 
@@ -37,15 +37,15 @@ PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> PackedCells(
 PIXELEXACTFILTERS_EXPORT std::vector<vtkSmartPointer<vtkUnstructuredGrid>> FromAll(
   vtkUnstructuredGrid* packed, vtkMultiProcessController* processes);
 
-/// The same, of the first process alone; none on others.
+/// The same on the first process; none on others.
 PIXELEXACTFILTERS_EXPORT std::vector<vtkSmartPointer<vtkUnstructuredGrid>> FromAllToFirst(
   vtkUnstructuredGrid* packed, vtkMultiProcessController* processes);
 
-/// Packed grids one after the other, without the empty ones; null where all are.
+/// Appends packed grids without the empty ones; null where all are empty.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Appended(
   const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& packed);
 
-/// By name the largest numbers of all processes, which all must call it.
+/// The largest number of each name over all processes. All processes must call it.
 template <class Number>
 std::map<std::string, Number> LargestOfAll(
   const std::map<std::string, Number>& own, vtkMultiProcessController* processes)
@@ -81,36 +81,37 @@ std::map<std::string, Number> LargestOfAll(
   {
     join(stream);
   }
-  vtkMultiProcessStream told = write(largest);
-  processes->Broadcast(told, 0);
-  join(told);
+  vtkMultiProcessStream all = write(largest);
+  processes->Broadcast(all, 0);
+  join(all);
   return largest;
 }
 
-/// The largest widths of all processes, which all must call it; those given where there is no
-/// controller, or one process.
+/// The largest widths of all processes, which must all call it. Returns `own` where there is no
+/// controller or one process.
 PackedWidths CommonWidths(const PackedWidths& own, vtkMultiProcessController* controller);
 
-// The numbers that elements of a part have in the whole. The first two functions are no exchange: a
+// Numbers of a part's elements in the whole mesh. The first two functions exchange nothing, so a
 // process may call them alone.
 
-/// UPDATE_PIECE_NUMBER and NUMBER_OF_PIECES of what is asked for; the whole where there are none.
+/// UPDATE_PIECE_NUMBER and NUMBER_OF_PIECES of a request; the whole where there are none.
 PieceOf PieceAskedFor(vtkInformation* asked);
 
 /// The processes that read the parts; null where there are no others.
 vtkMultiProcessController* ProcessesOf(const PieceOf& part);
 
-/// Of a run in pieces: how many there are, and those that were read here, with their elements.
+/// The pieces of a run: their number, and those that this process read, with their elements.
 struct PieceCounts
 {
   int pieces = 0; ///< 0: it is not in pieces
   std::vector<std::pair<int, std::int64_t>> elements;
 };
 
-/// For each piece that was read here, the elements of all pieces before it. Where the parts are the
-/// processes of the global controller these tell each other, and all must call it; else elements
-/// are counted as if there were no other pieces. `problem`, where not empty, is why this process
-/// cannot go on. Throws Error, on all of them, where any cannot, so that no picture lacks a part.
+/// For each piece that this process read, the elements of all pieces before it. Where the parts are
+/// the processes of the global controller, these exchange their counts, and all must call it; else
+/// elements are counted as if there were no other pieces. `problem`, if not empty, states why this
+/// process cannot continue. Throws Error on all processes where any cannot continue, so that no
+/// picture lacks a part.
 std::vector<std::int64_t> ElementsBefore(
   const PieceCounts& counts, const PieceOf& part, const std::string& problem);
 } // namespace pixelexact

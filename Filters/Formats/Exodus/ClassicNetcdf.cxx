@@ -22,7 +22,8 @@ namespace pixelexact
 {
 namespace
 {
-/// What no sound file has more of: dimensions, attributes and variables, each.
+/// Limits that no valid file exceeds. kMaxEntries holds for dimensions, attributes and variables
+/// each.
 constexpr std::uint64_t kMaxEntries = 1U << 20U;
 constexpr std::uint64_t kMaxNameBytes = 4096;
 constexpr std::uint64_t kMaxDimensions = 1024; ///< of a variable
@@ -50,7 +51,7 @@ enum Type : std::uint32_t
   kUnsignedInt64
 };
 
-/// Bytes of a value; 0: the format has no such type.
+/// Bytes of a value of this type; 0: the format has no such type.
 std::size_t BytesOf(std::uint32_t type)
 {
   constexpr std::array<std::size_t, 12> kBytes{ 0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 };
@@ -123,14 +124,14 @@ public:
 private:
   [[noreturn]] static void FailHeader()
   {
-    throw InvalidData("its netCDF header is damaged or cut short; copy it anew.");
+    throw InvalidData("its netCDF header is damaged or cut short; copy it again.");
   }
   [[noreturn]] static void Fail(const std::string& variable, const std::string& problem)
   {
     throw InvalidData("its variable '" + variable + "' " + problem);
   }
 
-  // The header, read forward.
+  // Functions that read the header, in file order.
   void Skip(std::uint64_t bytes);
   void ReadBytes(void* to, std::size_t count);
   std::uint64_t ReadNumber(std::size_t bytes);
@@ -144,7 +145,7 @@ private:
   void PlaceRecords(std::uint64_t records);
 
   [[nodiscard]] const Variable& Find(const std::string& variable) const;
-  /// The values that `convert` makes of their bytes.
+  /// Reads values at `places`; `convert` makes a value from its bytes.
   template <class Value, class Convert>
   std::vector<Value> ReadValues(
     const std::string& name, Places places, const Convert& convert) const;
@@ -337,7 +338,8 @@ void ClassicFile::ReadHeader()
   Buffer = {};
 }
 
-/// Records follow one another, each with the values of all variables that grow.
+/// Computes the places of record variables. A record holds one entry of each variable along the
+/// unlimited dimension.
 void ClassicFile::PlaceRecords(std::uint64_t records)
 {
   std::uint64_t count = 0;
@@ -438,7 +440,7 @@ std::vector<Value> ClassicFile::ReadValues(
     (variable.isOfRecords && RecordBytes > 0 &&
       last > (Size - variable.begin - span) / RecordBytes))
   {
-    Fail(name, "reaches beyond the end of the file; it is damaged or cut short: copy it anew.");
+    Fail(name, "reaches beyond the end of the file; it is damaged or cut short: copy it again.");
   }
   constexpr std::uint64_t kBlock = std::uint64_t{ 1 } << 20U;
   std::vector<unsigned char> block(std::min(kBlock, count * bytes));

@@ -25,7 +25,7 @@ void Require(bool sound)
   if (!sound)
   {
     throw InvalidData(
-      "its numbers contradict each other; it is damaged or cut short: copy it anew.");
+      "its numbers contradict each other; it is damaged or cut short: copy it again.");
   }
 }
 
@@ -54,7 +54,7 @@ constexpr std::array<std::string_view, 3> kSpace{ "x", "y", "z" };
 constexpr std::array<std::string_view, 2> kAxial{ "r", "z" };
 constexpr std::array<std::string_view, 6> kTensor{ "xx", "yy", "zz", "xy", "xz", "yz" };
 
-/// Whether a name is that beginning with that ending.
+/// Whether a name consists of `begin` and `ending`.
 bool Is(const std::string& name, std::string_view begin, std::string_view ending)
 {
   const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
@@ -63,7 +63,8 @@ bool Is(const std::string& name, std::string_view begin, std::string_view ending
       [&](char letter, char own) { return same(own, letter); });
 }
 
-/// How many variables from `first` on are components; 0: these endings do not fit.
+/// The number of variables from `first` on that are components with these endings; 0: the endings
+/// do not fit.
 std::size_t CountComponents(
   const std::vector<std::string>& variables, std::size_t first, Endings endings)
 {
@@ -146,7 +147,7 @@ void ExodusFile::AddBlock(std::int64_t place, std::int64_t id, const std::string
   block.nodes = static_cast<int>(Count("num_nod_per_el" + block.suffix, kMaxCount));
   if (block.type.starts_with("BEX"))
   {
-    // Their nodes are not the file's.
+    // The nodes of these elements are not the file's nodes.
     throw Unsupported("block " + std::to_string(id) + " has elements of type " + block.type +
       " (Bezier extraction), whose functions are splines; write the mesh with Lagrange elements");
   }
@@ -183,7 +184,7 @@ std::vector<ExodusFile::SideSet> ExodusFile::SideSets() const
       Require(std::ssize(set.elements) == sides && std::ssize(set.sides) == sides);
       RequireRange(set.elements, 1, ElementCount);
     }
-    // A set without sides counts, for its name.
+    // A set without sides is kept for its name.
     sets.push_back(std::move(set));
   }
   return sets;
@@ -207,7 +208,7 @@ std::vector<double> ExodusFile::Coordinates(int direction) const
   {
     return {};
   }
-  // Old files have all in one variable.
+  // Old files store all coordinates in one variable.
   std::vector<double> values = File->Shape("coord")
     ? File->Reals("coord", NetcdfFile::Places(&index, 1))
     : File->Reals(kNames[index]);
@@ -222,7 +223,7 @@ bool ExodusFile::HasSingleCoordinates() const
 
 std::vector<double> ExodusFile::AtNodes(std::size_t variable, std::size_t step) const
 {
-  // Old files have all in one variable.
+  // Old files store the values of all fields in one variable.
   const std::string own = "vals_nod_var" + std::to_string(variable + 1);
   std::vector<double> values = File->Shape(own)
     ? File->Reals(own, std::array{ step })

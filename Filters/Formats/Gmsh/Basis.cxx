@@ -90,7 +90,7 @@ bool IsTriangle(const ElementType& type)
   return type.dimension == 2 && type.corners == 3;
 }
 
-/// Of the type's order; of plane elements 0 across.
+/// The space of the type's order; plane elements have order 0 across.
 Space SpaceOf(const ElementType& type)
 {
   Space space = UniformSpace(type.shape, type.order);
@@ -101,8 +101,8 @@ Space SpaceOf(const ElementType& type)
   return space;
 }
 
-/// The first nodes of an element, as many as the type has; all shapes' lattices fill xi's cube in
-/// the same way.
+/// Reference positions of an element's nodes, as many as the type has. The lattices of all shapes
+/// fill the cube of xi in the same way.
 std::vector<LongVec3> NodesInXi(const ElementType& type)
 {
   const bool isPlane = type.dimension == 2;
@@ -123,7 +123,7 @@ std::vector<LongVec3> NodesInXi(const ElementType& type)
   return nodes;
 }
 
-/// A complete triangle or quadrilateral.
+/// The change of basis of a complete triangle or quadrilateral.
 ChangeOfBasis Plane(const ElementType& type)
 {
   const int n = type.order;
@@ -196,10 +196,10 @@ ElementBasis Serendipity(const ElementType& type)
     space, count, Combined(modes, count, DualMatrix(count, atNodes), count)));
 }
 
-/// Hexahedra of order 9, the largest that Gmsh has; twice as many take ten times as long.
+/// The modes of hexahedra of order 9, the largest in Gmsh. Twice as many take ten times as long.
 constexpr int kMaxDenseModes = 1000;
 
-/// Gmsh's u, v, w.
+/// Gmsh's reference coordinates u, v, w of a point xi.
 LongVec3 FromXi(int dimension, Shape shape, const LongVec3& xi)
 {
   const auto half = [&xi](int d) { return (1 + xi[d]) / 2; };
@@ -263,8 +263,8 @@ Space SpaceOf(int dimension, Shape shape, const Interpolation& interpolation)
   {
     space.order[d] = static_cast<std::uint8_t>(std::min(order[d], kMaxOrder + 1));
   }
-  // Incomplete hexahedra of order 9 leave out most; who leaves out more has a time in no proportion
-  // to what the file says.
+  // Incomplete hexahedra of order 9 omit the most modes. A space that omits more would take time
+  // out of proportion to the file.
   const int most = std::min(kMaxDenseModes, 100 + 10 * interpolation.functions);
   if (!space.IsValid() || space.Modes() > most)
   {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// Gmsh's functions on its elements. Its reference elements become ours by
+// Gmsh's functions on its elements. Gmsh's reference elements map to PixelExact's by
 //   hexahedron    xi = (u, v, w)
 //   tetrahedron   xi = 2 (u, v, w) - 1
 //   prism         xi = (2 u - 1, -w, 2 v - 1)
@@ -15,18 +15,18 @@
 //                 (bases-and-kernels.md)
 namespace pixelexact::gmsh
 {
-/// Of one change of basis from all of an element's sources.
+/// A basis of one change of basis that takes all of an element's sources.
 ElementBasis OnePart(ChangeOfBasis part);
 
-/// One at one of the type's nodes and zero at the others, sources in Gmsh's order. Throws
-/// Unsupported for incomplete elements whose functions no document defines.
+/// Functions that are one at one of the type's nodes and zero at the others, sources in Gmsh's
+/// order. Throws Unsupported for incomplete elements whose functions no document defines.
 ElementBasis NodalBasis(const ElementType& type);
 
-/// One function of value one, also of plane elements.
+/// The constant function one, also for plane elements.
 ElementBasis ConstantBasis(Shape shape);
 
-/// What a view's values stand for on one shape: f_i = sum_j C_ij m_j, m_j = u^a v^b w^c with row j
-/// of the exponents, on pyramids times (1 - w)^(max(a, b) - a - b).
+/// The functions of a view's values on one shape: f_i = sum_j C_ij m_j, m_j = u^a v^b w^c with row
+/// j of the exponents, on pyramids times (1 - w)^(max(a, b) - a - b).
 struct Interpolation
 {
   int functions = 0;
@@ -34,7 +34,7 @@ struct Interpolation
   std::vector<int> exponents;       ///< functions x 3
 };
 
-/// Of dimension 2: on the triangles and quadrilaterals of a slab's prisms and hexahedra, whose w is
-/// 0. Throws Unsupported where the space is beyond what is read.
+/// The basis of a view's functions. Dimension 2: on the triangles and quadrilaterals of a slab's
+/// prisms and hexahedra, with w = 0. Throws Unsupported where the space exceeds the supported ones.
 ElementBasis InterpolationBasis(int dimension, Shape shape, const Interpolation& interpolation);
 } // namespace pixelexact::gmsh

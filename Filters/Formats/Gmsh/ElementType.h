@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// Gmsh's numbers for types of elements (reference manual, "MSH file format"). The only file set
-// that knows them.
+// Gmsh's numbers for types of elements (reference manual, "MSH file format"). Only this file and
+// its source contain them.
 
 namespace pixelexact::gmsh
 {
@@ -20,19 +20,21 @@ struct ElementType
   int nodes = 0;        ///< all of them
   int order = 0;        ///< of its polynomials
   bool complete = true; ///< false: without nodes in faces and interior
-  /// Of dimension 3; of dimension 2 that of the slab's solid (bases-and-kernels.md).
+  /// The shape of an element of dimension 3. For dimension 2 that of the slab's solid
+  /// (bases-and-kernels.md).
   Shape shape = Shape::Hexahedron;
 };
 
-/// Null for numbers that stand for none, or for elements without a fixed number of nodes (polygons,
-/// polyhedra, borders, elements of extended finite elements).
+/// The type of a number. Null for unknown numbers and for elements without a fixed number of nodes
+/// (polygons, polyhedra, borders, elements of extended finite elements).
 const ElementType* FindType(int number);
 
 /// "hexahedra of order 3 with 32 nodes (type 99)", "elements of type 35".
 std::string Describe(int number);
 
-// Where the nodes of Gmsh's elements are (reference manual, "Node ordering"): vertices, edges,
-// faces, interior; inside of faces and elements the same again, of a lower order.
+// The order of nodes in Gmsh's elements (reference manual, "Node ordering"): vertices, edges,
+// faces, interior. Nodes inside faces and elements follow the same order at a lower polynomial
+// order.
 
 /// A node by its count of steps, of 1 / order, along Gmsh's u, v, w from the first vertex. In a
 /// pyramid layer w has order - w steps along u and v.
@@ -44,7 +46,7 @@ std::vector<Lattice> NodeOrder(Shape shape, int order);
 /// The nodes of a complete triangle or quadrilateral, with steps along u and v.
 std::vector<Lattice> PlaneOrder(bool triangle, int order);
 
-/// The corners of each face, -1 behind those of triangles, by the element's corners, and the face's
+/// The corners of each face as the element's corners, -1 after those of triangles, and the face's
 /// number in VTK's linear cell.
 struct ElementFace
 {
@@ -53,7 +55,7 @@ struct ElementFace
 };
 const std::vector<ElementFace>& FacesOf(Shape shape);
 
-/// The edges of a triangle or quadrilateral, and the faces behind them in VTK's linear cell of the
-/// slab (bases-and-kernels.md).
+/// The edges of a triangle or quadrilateral, and their faces in VTK's linear cell of the slab
+/// (bases-and-kernels.md).
 const std::vector<ElementFace>& SidesOf(bool triangle);
 } // namespace pixelexact::gmsh

@@ -37,7 +37,7 @@ void ReadEncoding(Scanner& scanner)
   {
     scanner.Fail("the file type is " + std::to_string(mode) + ", not 0 (text) or 1 (binary).");
   }
-  // In versions 2 the size of doubles, in 4.1 that of counts.
+  // The data size is that of doubles in versions 2 and that of counts in 4.1.
   if (bytes != 8 && !(bytes == 4 && encoding.version == kNew))
   {
     scanner.Fail("the data size is " + std::to_string(bytes) + " bytes, not 8.");
@@ -52,7 +52,7 @@ void ReadEncoding(Scanner& scanner)
     const int one = scanner.Int("the number one");
     if (one != 1 && one != kSwappedOne)
     {
-      scanner.Fail("the number one that tells the order of bytes is " + std::to_string(one) +
+      scanner.Fail("the number one that shows the byte order is " + std::to_string(one) +
         "; the file is damaged.");
     }
     encoding.swapped = one == kSwappedOne;
@@ -61,9 +61,9 @@ void ReadEncoding(Scanner& scanner)
   scanner.EndSection(kFormat);
 }
 
-/// The sections of a file, in its order, without $MeshFormat, which sets the scanner's encoding.
-/// Throws InvalidData for what is no Gmsh file, Unsupported for versions other than 2.0 to 2.2
-/// and 4.1.
+/// Lists the sections of a file, in its order, without $MeshFormat, which sets the scanner's
+/// encoding. Throws InvalidData where the file is not a Gmsh file, Unsupported for versions other
+/// than 2.0 to 2.2 and 4.1.
 std::vector<Section> ListSections(Scanner& scanner)
 {
   if (!scanner.Peek().starts_with('$'))
@@ -102,8 +102,9 @@ std::vector<Section> ListSections(Scanner& scanner)
   return sections;
 }
 
-/// They say nothing of geometry or fields: which nodes a periodic model identifies, copies for
-/// parallel solvers, numbers of edges and faces, the model's own surfaces.
+/// Sections that are skipped, because they contain neither geometry nor fields: which nodes a
+/// periodic model identifies, copies for parallel solvers, numbers of edges and faces, the model's
+/// own surfaces.
 constexpr std::array kPassed{ "Comments", "Periodic", "GhostElements", "Edges", "Faces",
   "Parametrizations" };
 constexpr std::array kMeshSections{ "Nodes", "ParametricNodes", "Elements", "Entities",
@@ -176,7 +177,7 @@ void FileSet::ReadViews(std::size_t file)
   }
 }
 
-/// What holds no view.
+/// Handles a section that holds no view: fails for a second mesh, notes unknown sections.
 void FileSet::Pass(const Section& section, std::size_t file)
 {
   if (Holds(kMeshSections, section.name))
@@ -224,7 +225,7 @@ Partitions FileSet::ReadPartitions()
     ReadEntities(scanner, true, entities, mesh);
     return { mesh.partitions, mesh.partitionsHere };
   }
-  // Version 2.2 tells of its elements alone.
+  // In version 2.2 only the elements name their partition.
   mesh = ReadPiece(0);
   return { mesh.partitionsHere.empty() ? 1U : 0U, mesh.partitionsHere };
 }

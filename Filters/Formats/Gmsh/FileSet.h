@@ -10,11 +10,11 @@ namespace pixelexact::gmsh
 struct Section
 {
   std::string name;      ///< "Nodes"
-  std::size_t begin = 0; ///< behind the line `$Nodes`
+  std::size_t begin = 0; ///< after the line `$Nodes`
 };
 
-/// A file of a mesh, or several of its partitions, and more of views, by sections: heads of views
-/// are read, values not yet.
+/// The sections of a mesh's files (one, or one for each partition) and of files of views. Heads of
+/// views are read at construction, values later.
 class FileSet
 {
 public:
@@ -22,7 +22,7 @@ public:
   explicit FileSet(const std::vector<NamedText>& files, std::size_t pieces = 1);
 
   [[nodiscard]] MeshFile ReadMesh();
-  /// Of the first file.
+  /// Reads the partitions that the first file names.
   [[nodiscard]] Partitions ReadPartitions();
 
   ViewList Views;

@@ -18,15 +18,16 @@
 
 namespace pixelexact::gmsh
 {
-/// From the tags of nodes or elements, which may be sparse, to their places.
+/// Maps the tags of nodes or elements, which may be sparse, to their places.
 class TagIndex
 {
 public:
   void Reserve(std::size_t tags) { Pairs.reserve(tags); }
   void Add(std::uint64_t tag, std::int32_t place) { Pairs.emplace_back(tag, place); }
-  /// To be called once, when all have been added. The first tag that was added twice, if any.
+  /// Sorts the tags. Must be called once, after all have been added. Returns the first tag that was
+  /// added twice, or null.
   [[nodiscard]] const std::uint64_t* Finish();
-  /// function(tag, place) for each; after Finish.
+  /// Calls function(tag, place) for each tag, after Finish.
   template <class Function>
   void ForEach(Function&& function) const
   {
@@ -42,7 +43,7 @@ public:
       }
     }
   }
-  /// -1 where there is no such tag.
+  /// The place of a tag; -1 where it does not exist.
   [[nodiscard]] std::int32_t Find(std::uint64_t tag) const;
 
 private:
@@ -62,7 +63,7 @@ struct Solid
   std::size_t firstNode = 0; ///< in MeshFile::elementNodes
 };
 
-/// An element of a dimension less, once for each of its physical groups.
+/// An element of one dimension less than the mesh, once for each of its physical groups.
 struct SurfaceElement
 {
   std::array<std::int32_t, 4> corners{ -1, -1, -1, -1 }; ///< nodes
@@ -70,7 +71,7 @@ struct SurfaceElement
   std::int32_t entity = 0;
 };
 
-/// Of names in files of version 2.0.
+/// The dimension of names in files of version 2.0, which give none.
 inline constexpr int kAnyDimension = -1;
 
 struct PhysicalName
@@ -83,17 +84,17 @@ struct PhysicalName
 struct MeshFile
 {
   int dimension = 3;             ///< of the elements, 3 or 2
-  std::vector<double> positions; ///< (x, y, z) of each node; let go when the map is made
+  std::vector<double> positions; ///< (x, y, z) of each node; freed when the map is assembled
   std::size_t nodes = 0;
   TagIndex nodeOf;
   std::vector<Solid> elements;
   std::vector<std::int32_t> elementNodes;
-  TagIndex elementOf; ///< also the numbers under which an element is repeated
+  TagIndex elementOf; ///< also maps the other numbers under which an element is repeated
   std::vector<SurfaceElement> faces;
   std::size_t lower = 0; ///< elements of lower dimensions
   std::vector<PhysicalName> names;
   std::size_t inSeveralGroups = 0; ///< elements in more than one physical group
-  std::size_t partitions = 1; ///< that the file names; the mesh was divided into as many at least
+  std::size_t partitions = 1;      ///< number in the file; the mesh has at least as many
   std::set<int> partitionsHere;
 
   [[nodiscard]] std::span<const std::int32_t> NodesOf(const Solid& element) const
@@ -102,7 +103,7 @@ struct MeshFile
   }
 };
 
-/// Where an element belongs.
+/// The physical groups and the partition of an element.
 struct Membership
 {
   const std::vector<std::int32_t>& physical;
@@ -128,12 +129,12 @@ private:
   std::int32_t Repeated = -1;      ///< the last element known to be in several groups
 };
 
-/// The faces of elements that are elements of surfaces, too. `strangers`: how many of these are no
-/// face of an element.
+/// Finds the faces of elements that are also elements of surfaces. `strangers` gets the number of
+/// surface elements that are not faces.
 std::vector<BoundaryFace> FindFaces(const MeshFile& mesh, bool byEntity, std::size_t& strangers);
 
-// The sections of a mesh; the scanner stands behind their first line, and behind their end
-// afterwards.
+// Readers of a mesh's sections. The scanner is after the section's first line at the call and after
+// its end on return.
 
 /// Physical groups and partitions of an entity (version 4.1).
 struct Entity

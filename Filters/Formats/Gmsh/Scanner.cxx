@@ -15,7 +15,7 @@ namespace pixelexact::gmsh
 {
 namespace
 {
-/// What is searched at a time.
+/// Bytes that are searched at a time.
 constexpr std::size_t kWindow = std::size_t{ 1 } << 22U;
 
 bool IsBlank(char c)
@@ -203,7 +203,7 @@ std::uint64_t Scanner::Size(const char* what)
 std::size_t Scanner::Count(const char* what, std::size_t items)
 {
   const std::uint64_t count = Size(what);
-  // A number takes a digit and a blank, or 4 bytes.
+  // A number takes at least a digit and a blank, or 4 bytes.
   RequireCount(what, count, items * (Data.binary ? 4 : 2));
   return static_cast<std::size_t>(count);
 }

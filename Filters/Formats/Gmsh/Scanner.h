@@ -13,7 +13,7 @@ namespace pixelexact::gmsh
 /// The version of $MeshFormat whose sections have entities.
 inline constexpr double kNew = 4.1;
 
-/// How numbers lie in a file's data.
+/// The encoding of numbers in a file's data.
 struct Encoding
 {
   double version = 0.0;
@@ -22,48 +22,48 @@ struct Encoding
   int sizeBytes = 8;    ///< of counts and tags in version 4.1
 };
 
-/// Lines, words and numbers of a Gmsh file, one after the other. Headers are always text; numbers
-/// of the data are text or bytes, as the encoding says.
+/// Reads lines, words and numbers of a Gmsh file in order. Headers are always text; the encoding
+/// determines whether numbers of the data are text or binary.
 class Scanner
 {
 public:
-  /// `file`: whose text it is, to be forgotten as it is read; may be null.
+  /// `file`: the owner of `text`, whose pages are released as they are read; may be null.
   Scanner(std::string fileName, std::string_view text, const FileText* file = nullptr);
 
   void SetEncoding(const Encoding& encoding) { Data = encoding; }
   [[nodiscard]] const Encoding& GetEncoding() const { return Data; }
 
-  // Text.
-  /// The next word without taking it; empty at the end.
+  // Functions that read text.
+  /// Returns the next word without taking it; empty at the end.
   std::string_view Peek();
   std::string_view Word(const char* what);
-  /// What is between the next pair of quotation marks, on the same line.
+  /// Returns the text between the next pair of quotation marks on the same line.
   std::string Quoted(const char* what);
-  /// The same; some programs write no quotation marks: all of the line, then.
+  /// The same. Where a program wrote no quotation marks, the rest of the line.
   std::string QuotedOrLine(const char* what);
   std::int64_t TextInteger(const char* what);
-  /// The same where a name in quotation marks may follow without a blank.
+  /// Reads an integer that a name in quotation marks may follow without a blank.
   std::int64_t IntegerBeforeName(const char* what);
   std::size_t TextCount(const char* what, std::size_t bytes);
   double TextNumber(const char* what);
-  /// Takes what is left of a line, with its end; binary data begin behind it.
+  /// Skips the rest of a line and its end. Binary data begin after it.
   void EndLine();
 
-  // Data.
+  // Functions that read data.
   int Int(const char* what);
   double Real(const char* what);
-  /// A count or tag of version 4.1.
+  /// Reads a count or tag of version 4.1.
   std::uint64_t Size(const char* what);
-  /// A number of things that each take at least `items` numbers.
+  /// Reads a count of items that each take at least `items` numbers.
   std::size_t Count(const char* what, std::size_t items);
-  /// Passes over numbers: integers, counts, reals.
+  /// Skips numbers: integers, counts, reals.
   void SkipInts(std::size_t count);
   void SkipSizes(std::size_t count);
   void SkipReals(std::size_t count);
 
   /// Fails unless `$End<section>` follows, and takes it.
   void EndSection(std::string_view section);
-  /// Moves behind the section's `$End<section>`, whatever stands before it.
+  /// Moves to the end of the section's `$End<section>` from anywhere in it.
   void LeaveSection(std::string_view section);
 
   [[nodiscard]] std::size_t Remaining() const { return Text.size() - At; }

@@ -102,7 +102,7 @@ Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, int dime
   {
     interpolation.coefficients.push_back(scanner.TextNumber("a coefficient"));
   }
-  // One column for each of u, v, w; those of lines, triangles and quadrilaterals have fewer.
+  // One column for each of u, v, w. Lines, triangles and quadrilaterals have fewer.
   const bool matches = scanner.TextCount("the rows of a matrix", 2) == n;
   const std::size_t columns = scanner.TextCount("the columns of a matrix", 2);
   if (!matches || columns > 3 || columns < static_cast<std::size_t>(dimension))
@@ -134,7 +134,7 @@ Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, int dime
   return interpolation;
 }
 
-/// Gmsh's numbers for families of elements.
+/// The dimension and shape of Gmsh's number for a family of elements.
 std::optional<std::pair<int, Shape>> ShapeOf(std::int64_t topology)
 {
   switch (topology)
@@ -179,7 +179,7 @@ void ReadPart(Scanner& scanner, const View& view, const ViewPart& part, const Me
     const std::int32_t place = index.Find(tag);
     if (place < 0)
     {
-      // Of an element of a surface or curve, or of none of this mesh.
+      // The element belongs to a surface or curve, or not to this mesh.
       ++values.strangers;
       scanner.SkipReals(tuples * components);
       continue;
@@ -273,7 +273,7 @@ void ViewList::AddScheme(Scanner& scanner)
     }
   }
   scanner.EndSection("InterpolationScheme");
-  // Gmsh writes one for each view, all of one name.
+  // Gmsh writes one scheme for each view, all with the same name.
   Known[name] = std::make_shared<const Scheme>(std::move(scheme));
 }
 

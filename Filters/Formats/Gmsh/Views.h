@@ -24,10 +24,10 @@ enum class ViewKind : std::uint8_t
   ElementNode
 };
 
-/// The kind of a section by its name, such as "NodeData"; none: it holds no view.
+/// The kind of a section by its name, such as "NodeData"; none where it holds no view.
 std::optional<ViewKind> KindOf(const std::string& section);
 
-/// What a view's values stand for, by dimension and shape (ElementType). Those that are missing
+/// The functions of a view's values, by dimension and shape (ElementType). Types that are missing
 /// have the elements' own functions.
 using Scheme = std::map<std::pair<int, Shape>, Interpolation>;
 
@@ -66,11 +66,12 @@ public:
 
 private:
   std::vector<View> All;
-  std::map<std::string, std::shared_ptr<const Scheme>> Known; ///< a view's is the last before it
+  std::map<std::string, std::shared_ptr<const Scheme>>
+    Known; ///< the scheme of a view is the last one before it
 };
 
-/// Steps of all views, ascending, with times: of the file where they ascend with the steps, else
-/// the steps' numbers. Without a time: one step at time 0.
+/// Steps of all views, ascending, with times: the file's where they ascend with the steps, else the
+/// steps' numbers. Files without a time have one step at time 0.
 struct StepList
 {
   std::vector<std::int64_t> numbers;
@@ -91,12 +92,12 @@ struct ViewValues
 ViewValues ReadValues(std::vector<Scanner>& scanners, const View& view,
   const std::vector<ViewPart>& parts, const MeshFile& mesh);
 
-/// Bases, each made once, where they stay.
+/// Creates each basis once and keeps it at a fixed address.
 class BasisTable
 {
 public:
   const ElementBasis& Nodal(const ElementType& type);
-  /// Of a view's scheme; null where it has none for the type's shape.
+  /// The basis of a view's scheme; null where the scheme has none for the type's shape.
   const ElementBasis* Of(const Scheme& scheme, const ElementType& type);
   const ElementBasis& Constant(Shape shape);
 
@@ -106,8 +107,8 @@ private:
   std::map<Shape, ElementBasis> Constants;
 };
 
-/// Adds the field that a view is at a step. A view of a single step has it at all; one that has
-/// others, but not this, is left out with a note.
+/// Adds a view's field at a step. A view of a single step is the same at all steps. A view that has
+/// other steps but not this one is left out with a note.
 void AddView(std::vector<Scanner>& scanners, const View& view, std::int64_t step,
   const MeshFile& mesh, BasisTable& bases, SolverModel& model);
 } // namespace pixelexact::gmsh

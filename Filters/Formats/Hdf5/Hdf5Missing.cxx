@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of Hdf5Library.cxx where there is no HDF5 library.
+// Replaces Hdf5Library.cxx where there is no HDF5 library.
 #include "Formats/Hdf5/Hdf5File.h"
 
 #include "Core/Base/Error.h"
@@ -12,7 +12,7 @@ namespace
 {
   throw Unsupported(name +
     ": this is an HDF5 file, and the program was built without the HDF5 library; install it "
-    "(Debian: libhdf5-dev) and build anew, or write the file as XML.");
+    "(Debian: libhdf5-dev) and build again, or write the file as XML.");
 }
 } // namespace
 

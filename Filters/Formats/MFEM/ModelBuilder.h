@@ -13,8 +13,8 @@
 
 namespace pixelexact::mfem
 {
-/// Puts meshes and grid functions together. Pieces stay as their files have them: the elements of
-/// one after those of the other, each with unknowns of its own.
+/// Assembles meshes and grid functions into a model. Pieces keep their files' order: the elements
+/// of one follow those of the other, each with its own unknowns.
 class ModelBuilder
 {
 public:
@@ -23,11 +23,11 @@ public:
   ModelBuilder(const ModelBuilder&) = delete; // the entities refer to the pieces
   ModelBuilder& operator=(const ModelBuilder&) = delete;
 
-  /// A grid function by its file for each piece, with that one's name.
+  /// Adds a grid function, given by one file for each piece and that file's name.
   void AddField(const std::vector<GridFunctionFile>& files, const std::vector<std::string>& names,
     const std::string& name);
 
-  /// Of a piece.
+  /// The number of elements of a piece.
   [[nodiscard]] std::int64_t ElementsOf(std::int32_t piece) const;
 
   SolverModel Model;
@@ -42,16 +42,16 @@ private:
 
   const Topology& EntitiesOf(std::size_t p);
   void RequireNumbers(const std::string& name) const;
-  /// What is shown of a piece: the elements of its file, or parts of them.
+  /// The mesh that represents a piece: the elements of its file, or parts of them for NURBS.
   [[nodiscard]] const MeshFile& ShownOf(std::size_t piece) const;
-  /// `isJoined`: from the pieces of a parallel run.
+  /// `isJoined`: whether the mesh is joined from the pieces of a parallel run.
   void AddNurbs(bool isJoined);
   void AddMap();
   void AddGroups();
   void AddBoundary(std::size_t p, std::int32_t firstElement);
 
   std::vector<MeshPiece> Pieces;
-  std::deque<std::optional<Topology>> Entities; ///< per piece, made when they are asked for
+  std::deque<std::optional<Topology>> Entities; ///< per piece, created on first use
   std::vector<Place> Places;                    ///< per element
   MeshFile Joined;                              ///< the whole of a NURBS mesh's pieces
   std::unique_ptr<NurbsModel> Nurbs;            ///< of a NURBS mesh

@@ -15,16 +15,16 @@ namespace pixelexact::mfem
 {
 namespace
 {
-// What stands around the data in a GLVis stream.
+// Lines around the data in a GLVis stream.
 
-/// Which of how many processes a stream comes from.
+/// The number of processes, and the process that wrote a stream.
 struct StreamRank
 {
   int processes = 1;
   int number = 0;
 };
 
-/// Of a process: its kind, a mesh's first lines.
+/// Fewest bytes of one process' stream: its keyword and the first lines of a mesh.
 constexpr std::size_t kShortestStream = 64;
 
 /// Whether a line begins a mesh or a grid function.
@@ -35,7 +35,7 @@ bool BeginsData(std::string_view line)
     line.starts_with("MFEM INLINE mesh v") || line.starts_with("MFEM FiniteElementSpace v");
 }
 
-/// What may stand before a mesh in a stream.
+/// Whether a word may precede a mesh in a stream.
 bool IsStreamKeyword(std::string_view word)
 {
   return word == "solution" || word == "mesh" || word == "fem3d_data" || word == "vfem3d_data" ||
@@ -43,13 +43,13 @@ bool IsStreamKeyword(std::string_view word)
     word == "vfem3d_gf_data_keys";
 }
 
-/// Takes "parallel n i". `processes`: those of the streams before, 0 where there was none. Throws
+/// Reads "parallel n i". `processes`: the number in earlier streams, 0 before the first one. Throws
 /// InvalidData where they differ.
 StreamRank ReadStreamRank(TextScanner& scanner, int processes)
 {
   scanner.Expect("parallel");
   StreamRank rank;
-  // A process' stream has some lines.
+  // Every process' stream has at least kShortestStream bytes.
   rank.processes = processes > 0 ? scanner.Integer("the number of processes")
                                  : scanner.Count("the number of processes", kShortestStream);
   rank.number = scanner.Integer("the number of the process", 0, std::max(0, rank.processes - 1));
@@ -61,8 +61,8 @@ StreamRank ReadStreamRank(TextScanner& scanner, int processes)
   return rank;
 }
 
-/// Takes the word before the mesh and says whether a grid function follows the mesh. Throws
-/// Unsupported for quadrature functions, InvalidData for what is no stream.
+/// Reads the word before the mesh. Returns whether a grid function follows the mesh. Throws
+/// Unsupported for quadrature functions, InvalidData where this is not a stream.
 bool ReadStreamKeyword(TextScanner& scanner)
 {
   const std::string_view keyword = scanner.Peek();
@@ -79,7 +79,7 @@ bool ReadStreamKeyword(TextScanner& scanner)
   return keyword != "mesh";
 }
 
-/// Takes what follows the data: commands to GLVis, up to the stream of another process where
+/// Skips the commands to GLVis after the data, up to the stream of another process where
 /// `toNextProcess`. Throws Unsupported where another mesh or grid function follows, InvalidData for
 /// numbers.
 void SkipCommands(TextScanner& scanner, bool toNextProcess = false)
@@ -98,7 +98,7 @@ void SkipCommands(TextScanner& scanner, bool toNextProcess = false)
   }
 }
 
-/// Reads a mesh of any version; what follows it stays in the scanner. Throws InvalidData and
+/// Reads a mesh of any version; the text after it stays in the scanner. Throws InvalidData and
 /// Unsupported.
 MeshFile ReadMesh(TextScanner& scanner)
 {
@@ -121,7 +121,7 @@ MeshFile ReadMesh(TextScanner& scanner)
   }
 }
 
-/// How many processes wrote the pieces that are read together.
+/// Throws where a mesh is a piece of more processes than there are pieces.
 void RequireRanks(const TextScanner& scanner, const MeshFile& mesh, int pieces)
 {
   if (mesh.ranks > pieces)
@@ -130,14 +130,14 @@ void RequireRanks(const TextScanner& scanner, const MeshFile& mesh, int pieces)
   }
 }
 
-/// What one piece shares with another, that one shares with it.
+/// Throws InvalidData where a piece shares entities with another one that does not share with it.
 void RequireOneRun(const std::vector<MeshPiece>& pieces)
 {
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     for (const int other : pieces[p].file.sharing)
     {
-      // Those beyond have been refused (RequireRanks).
+      // RequireRanks has refused processes without a piece.
       const MeshPiece& shared = pieces[static_cast<std::size_t>(other)];
       if (!shared.file.sharing.contains(static_cast<int>(p)))
       {
@@ -161,7 +161,8 @@ MeshFile ParseMesh(const NamedText& text, int pieces)
   return mesh;
 }
 
-/// Pieces of a NURBS mesh are one model, which is cut after it has been read.
+/// Whether the mesh is NURBS. Pieces of a NURBS mesh are joined to one model, which is cut after
+/// reading.
 bool IsNurbs(const std::string& mesh)
 {
   const FileText text(mesh);
@@ -181,7 +182,7 @@ GridFunctionFile ParseGridFunction(const NamedText& text)
   return file;
 }
 
-/// The pieces of a field; of a complex one its parts, as two.
+/// Adds the pieces of a field; a complex field becomes two: real and imaginary part.
 void AddField(ModelBuilder& builder, const std::vector<GridFunctionFile>& pieces,
   const std::vector<std::string>& files, const std::string& name)
 {
@@ -231,7 +232,7 @@ StreamPiece ReadStreamPiece(TextScanner& scanner, int pieces)
   return piece;
 }
 
-/// Those of all processes, in their order.
+/// The parts of all processes, in their order.
 std::vector<StreamPiece> ReadStreamPieces(TextScanner& scanner)
 {
   std::vector<StreamPiece> pieces;

@@ -19,7 +19,7 @@ namespace
 {
 using Json = nlohmann::json;
 
-constexpr int kMaxPieces = 1000000; ///< as many as six digits tell apart
+constexpr int kMaxPieces = 1000000; ///< as many as six digits can number
 
 [[noreturn]] void Fail(const NamedText& file, const std::string& problem)
 {
@@ -38,7 +38,7 @@ const Json& Entry(const NamedText& file, const Json& parent, const char* name)
   return *found;
 }
 
-/// A whole number, as such or, in tags, as text.
+/// A whole number, stored as a number or, in tags, as text.
 int Integer(const NamedText& file, const Json& entry, const char* name, int low, int high)
 {
   const double number = entry.is_number() ? entry.get<double>() : std::nan("");
@@ -51,7 +51,7 @@ int Integer(const NamedText& file, const Json& entry, const char* name, int low,
   return static_cast<int>(number);
 }
 
-/// "x.%06d" with 0 for the number.
+/// The path of the first piece: "x.%06d" with 0 for the number.
 std::string FirstPiece(const NamedText& file, const Json& parent)
 {
   const Json& entry = Entry(file, parent, "path");
@@ -103,7 +103,7 @@ SolverModel ReadRootFile(const std::string& path, const PieceOf& part)
   const std::vector<std::string> pieces = PiecesOf(at(root.mesh));
   if (static_cast<int>(pieces.size()) != root.pieces)
   {
-    throw InvalidData(path + ": it tells of " + Counted(root.pieces, "piece") +
+    throw InvalidData(path + ": it lists " + Counted(root.pieces, "piece") +
       " of the mesh, but there are " + std::to_string(pieces.size()) + " files as " +
       pieces.front() + "; copy all of the collection, and nothing else, into its folder.");
   }
@@ -111,8 +111,8 @@ SolverModel ReadRootFile(const std::string& path, const PieceOf& part)
   std::vector<std::string> notes;
   for (const RootFile::Field& field : root.fields)
   {
-    // The tag "assoc" does not decide: solvers also write it for grid functions of one value for
-    // each element.
+    // The tag "assoc" is not reliable: solvers also write it for grid functions of one value per
+    // element.
     const FileText begin(at(field.path));
     TextScanner scanner({ at(field.path), begin.Get(), &begin });
     if (!IsQuadratureFunction(scanner))

@@ -8,8 +8,8 @@
 
 namespace pixelexact::mfem
 {
-/// What a root file of MFEM's VisIt collections (.mfem_root, JSON) tells of one cycle. Paths are
-/// relative to its folder, or not, as they stand.
+/// One cycle in a root file of MFEM's VisIt collections (.mfem_root, JSON). Paths are as in the
+/// file, absolute or relative to its folder.
 struct RootFile
 {
   struct Field
@@ -27,7 +27,7 @@ struct RootFile
 /// Throws InvalidData, naming the file and the entry.
 RootFile ParseRootFile(const NamedText& file);
 
-/// The mesh and all grid functions of a cycle; quadrature functions are left out, with a note.
-/// Throws as ReadFiles.
+/// Reads the mesh and all grid functions of a cycle. Quadrature functions are left out, with a
+/// note. Throws as ReadFiles.
 SolverModel ReadRootFile(const std::string& path, const PieceOf& part = {});
 } // namespace pixelexact::mfem

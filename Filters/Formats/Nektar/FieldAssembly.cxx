@@ -15,7 +15,7 @@ namespace pixelexact::nektar
 {
 namespace
 {
-/// Where an element's coefficients are, and in which basis.
+/// The place of an element's coefficients, and their basis.
 struct Placement
 {
   FieldBlock* block = nullptr;
@@ -23,7 +23,7 @@ struct Placement
   const ElementBasis* basis = nullptr;
 };
 
-/// The fields of a file's parts, with all that belongs to an element found.
+/// Builds the fields of a file's parts, after finding each element's coefficients.
 class FieldBuilder
 {
 public:
@@ -88,7 +88,8 @@ public:
   }
 
 private:
-  /// What all blocks must have in common; and which strips there are.
+  /// Checks that a block has the same fields and homogeneous functions as the others, and records
+  /// its strip.
   void Enlist(const FieldBlock& block, const std::string& part)
   {
     if (Names.empty())
@@ -100,7 +101,7 @@ private:
     if (block.fields != Names)
     {
       throw InvalidData(
-        part + ": its blocks hold different fields; write them anew with FieldConvert.");
+        part + ": its blocks hold different fields; write them again with FieldConvert.");
     }
     if (block.homogeneous != Along)
     {
@@ -120,7 +121,8 @@ private:
     return Strips.size() > 1 ? " in " + std::to_string(Strips.size()) + " strips" : "";
   }
 
-  /// So that what is made is in proportion to the file.
+  /// Throws where the file has too few coefficients, so that the result's size is in proportion to
+  /// the file.
   void RequireEnough() const
   {
     const std::size_t elements = Session.model.mesh.number.size();
@@ -214,7 +216,7 @@ private:
       });
   }
 
-  /// Where each strip begins.
+  /// The position along z where each strip begins.
   [[nodiscard]] std::vector<double> Beginnings() const
   {
     if (!Along->strips)
@@ -224,7 +226,7 @@ private:
     if (!Session.stripDistance || !(*Session.stripDistance > 0.0))
     {
       throw InvalidData(Name +
-        ": its fields are in strips, and the session tells no distance between them (the parameter "
+        ": its fields are in strips, and the session gives no distance between them (the parameter "
         "DistStrip); name the session that they were computed with.");
     }
     std::vector<double> begin;

@@ -5,11 +5,11 @@
 
 #include <span>
 
-// Elements that are shown in parts, because polynomials of moderate orders come near rational
-// functions only on small pieces.
+// Parts of elements. Polynomials of moderate orders approximate rational functions well only on
+// small parts.
 namespace pixelexact::rational
 {
-/// Of a hexahedron, or a plane element, that is divided into equal parts along each direction.
+/// A part of a hexahedron or plane element that is divided into equal parts along each direction.
 struct ElementPart
 {
   std::int32_t element = 0;
@@ -17,8 +17,8 @@ struct ElementPart
   std::array<int, 3> of{ 1, 1, 1 }; ///< powers of two
 };
 
-/// What functions on elements are on parts of them: the same polynomials, in the parts' xi; for
-/// vectors and densities times what the mapping makes of that.
+/// Restricts functions on elements to parts: the same polynomials in the parts' xi; vectors and
+/// densities are scaled as the mapping requires.
 OwnedExpansion RestrictToParts(
   const OwnedExpansion& whole, Mapping mapping, std::span<const ElementPart> parts);
 } // namespace pixelexact::rational

@@ -25,8 +25,8 @@ LineMatrix Tabulate(const LineFunctions& line, const std::vector<long double>& p
   return matrix;
 }
 
-/// The recurrences multiply rounding by some 2.4 a step: in 113 bits that stays below a rounding of
-/// long double to order 32.
+/// The recurrences multiply rounding by about 2.4 a step. In 113 bits it stays below a rounding of
+/// long double up to order 32.
 #if LDBL_MANT_DIG >= 113
 using Wide = long double;
 #else
@@ -202,7 +202,7 @@ CollapsedModes::CollapsedModes(const Space& space, std::array<std::vector<long d
 int CollapsedModes::Roundings() const
 {
   const auto [p, q, r] = Target.order;
-  // Of a power some, of three tables' entries and products, and of the sums.
+  // Roundings of the power, of entries and products of three tables, and of the sums.
   return 3 * kMaxOrder + 8 + 2 * (p + q + r + 3);
 }
 

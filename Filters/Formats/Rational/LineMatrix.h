@@ -14,7 +14,7 @@
 
 namespace pixelexact::rational
 {
-/// Row-major; from `columns` numbers along a line to `rows`.
+/// A row-major matrix that maps `columns` numbers along a line to `rows`.
 struct LineMatrix
 {
   int rows = 0;
@@ -25,29 +25,29 @@ struct LineMatrix
   [[nodiscard]] long double Norm() const;
 };
 
-/// From Bernstein's coefficients of that degree on [-1,1] to values at points.
+/// The matrix from Bernstein's coefficients of a degree on [-1,1] to values at points.
 LineMatrix BernsteinAt(int degree, const std::vector<long double>& points);
 
-/// From values at distinct nodes to the values at points of the polynomial through them.
+/// The matrix from values at distinct nodes to values at points of the interpolating polynomial.
 LineMatrix LagrangeAt(
   const std::vector<long double>& nodes, const std::vector<long double>& points);
 
-/// n zeros of Chebyshev's polynomial T_n, ascending.
+/// The n zeros of Chebyshev's polynomial T_n, ascending.
 std::vector<long double> ChebyshevZeros(int n);
 
-/// Nodes of a line of that order: Gauss-Lobatto-Legendre points; order 0: the centre.
+/// The nodes of a line of this order: Gauss-Lobatto-Legendre points; for order 0 the centre.
 std::vector<long double> NodesOf(int order);
 
 using GridSize = std::array<int, 3>;
 
-/// The number of a grid's points.
+/// The number of points of a grid.
 std::size_t PointsOf(const GridSize& size);
 
-/// Replaces `grid`, of `size` points with the last direction fastest, by what the matrix makes of
-/// each of its lines along `direction`; `size` becomes the new one.
+/// Applies the matrix to each line of `grid` along `direction`. The grid has `size` points, the
+/// last direction fastest; `size` becomes that of the result.
 void Sweep(std::vector<long double>& grid, GridSize& size, int direction, const LineMatrix& matrix);
 
-/// Matrices that many elements share, each made when it is first asked for. For several threads.
+/// Matrices that many elements share, each created on first use. Thread-safe.
 class LineTables
 {
 public:
@@ -55,9 +55,9 @@ public:
   const LineMatrix& BernsteinToNodes(int degree, int order);
   /// From Bernstein's coefficients to `samples` zeros of a Chebyshev polynomial.
   const LineMatrix& BernsteinToSamples(int degree, int samples);
-  /// From the nodes of an order to these.
+  /// From values at the nodes of an order to values at samples.
   const LineMatrix& NodesToSamples(int order, int samples);
-  /// From the nodes of an order to Legendre's coefficients.
+  /// From values at the nodes of an order to Legendre's coefficients.
   const LineMatrix& NodesToLegendre(int order);
 
 private:
@@ -86,13 +86,13 @@ public:
     /// Sum of |coefficient| times |mode|.
     std::vector<long double> magnitude;
   };
-  /// Coefficients in order of storage to values with the last direction fastest. A value is off by
-  /// at most Roundings() long double roundings of its magnitude.
+  /// Evaluates coefficients in order of storage on the grid, the last direction fastest. The error
+  /// of a value is at most Roundings() long double roundings of its magnitude.
   [[nodiscard]] Values Evaluate(std::span<const double> coefficients) const;
   [[nodiscard]] int Roundings() const;
 
 private:
-  /// Of direction 1 by p; of 2 by p and q; of 3 by p, q and r; each with its points fastest.
+  /// Table of direction 1 by p; of 2 by p and q; of 3 by p, q and r; each with its points fastest.
   using Table = std::vector<long double>;
   [[nodiscard]] std::vector<long double> Sum(
     std::span<const double> coefficients, bool isMagnitude) const;

@@ -12,7 +12,7 @@ namespace pixelexact::rational
 {
 namespace
 {
-/// Weights that vary less than this along a direction do so by rounding.
+/// Relative difference of weights along a direction that counts as rounding.
 constexpr long double kSameWeights = 64 * kLongRoundoff;
 
 using Grid = std::vector<long double>;
@@ -66,8 +66,8 @@ Lines ToNodes(const RationalElement& element, const Orders& order, LineTables& t
   return lines;
 }
 
-/// Whether tails fall so slowly that even twice the highest order would not do: to try these is not
-/// worth its time.
+/// Whether tails decrease so slowly that even twice the highest order would not suffice, so that no
+/// higher order is tried.
 bool IsHopeless(const std::array<std::vector<long double>, 3>& tails, const Orders& trial,
   const std::array<bool, 3>& varies, double target, int most)
 {
@@ -88,8 +88,8 @@ bool IsHopeless(const std::array<std::vector<long double>, 3>& tails, const Orde
   return false;
 }
 
-/// For each direction and number along it, the sum of |coefficient| of all that have this number or
-/// a higher one; the largest of all components.
+/// For each direction and index, the sum of |coefficient| over all coefficients with at least this
+/// index; the largest of all components.
 std::array<Grid, 3> TailsOf(const std::vector<Grid>& legendre, const GridSize& size)
 {
   std::array<Grid, 3> tails;
@@ -219,8 +219,8 @@ double LossOf(const RationalElement& element, const Orders& order, LineTables& t
     {
       largest = std::max(largest, std::fabs(numerator[i]) / element.weights[i]);
     }
-    // Sums of positive multiples of the weights, and of what |N| is at most: each of the chained
-    // roundings weighs by no more than `largest` times the ratio of the weights.
+    // Sums of positive multiples of the weights, and of bounds of |N|: each of the chained
+    // roundings counts at most `largest` times the ratio of the weights.
     const long double rounding =
       terms * kLongRoundoff * largest * (most / least) * (1 + lebesgue) * (1 + 1e-12L);
     const Grid polynomial = Evaluate(atNodes[at], order, fromNodes);
@@ -250,7 +250,7 @@ OrderEstimate EstimateOrders(
     Lines toLegendre{};
     for (std::size_t d = 0; d < 3; ++d)
     {
-      // Two orders beyond the highest tell whether that one is enough.
+      // Two orders above the highest are needed to check that the highest suffices.
       trial[d] += varies[d] ? extra : 0;
       isLast = isLast && (!varies[d] || trial[d] >= most + 2);
       trial[d] = std::min(trial[d], std::max(element.degree[d], std::min(most + 2, kMaxOrder)));

@@ -10,8 +10,8 @@ int Triangular(int n)
   return n > 0 ? n * (n + 1) / 2 : 0;
 }
 
-/// The inside of an element of order p whose unknowns lie in all its lattice: a lattice that is
-/// smaller by the entity's faces.
+/// The number of unknowns inside an element of order p whose unknowns form a full lattice: the size
+/// of the lattice without the points on the element's boundary.
 int LatticeUnknowns(Geometry geometry, int p, PyramidSpace pyramid)
 {
   const int n = p + 1; // lattice points per edge
@@ -78,7 +78,7 @@ int HCurlUnknowns(Geometry geometry, int p)
   }
 }
 
-/// Of elements in the plane.
+/// The number of H(div) unknowns inside an entity of a plane mesh.
 int PlaneHDivUnknowns(Geometry geometry, int p)
 {
   switch (geometry)
@@ -115,7 +115,7 @@ int HDivUnknowns(Geometry geometry, int p)
   }
 }
 
-/// Whether it is an element, not a face or edge of some.
+/// Whether the geometry is that of an element, not that of a face or an edge.
 bool IsElement(Geometry geometry, int dimension)
 {
   const bool isSolid = geometry >= Geometry::Tetrahedron;
@@ -128,19 +128,19 @@ int DiscontinuousUnknowns(const CollectionName& name, Geometry geometry)
   {
     return 0;
   }
-  // MFEM's Bernstein functions on pyramids are those of Bergot's space; the legacy pyramids are of
-  // orders 0 and 1, the latter of five functions.
+  // MFEM's Bernstein functions on pyramids span Bergot's space. Legacy pyramids have orders 0 and
+  // 1; order 1 has five functions.
   const bool bergot = name.closed == LineBasis::Positive || name.legacy;
   return LatticeUnknowns(geometry, name.order, bergot ? PyramidSpace::Bergot : name.pyramid);
 }
 
-/// The place of (a, b) in a triangular lattice of n points per edge, a fastest.
+/// The index of (a, b) in a triangular lattice of n points per edge, a fastest.
 int TrianglePlace(int n, int a, int b)
 {
   return Triangular(n) - Triangular(n - b) + a;
 }
 
-/// The lattice point of the entity that an element sees at its own (i, j).
+/// The entity's lattice point that corresponds to the element's own (i, j).
 std::array<int, 2> SeenInTriangle(int n, int i, int j, int orientation)
 {
   const int k = n - 1 - i - j;
@@ -149,8 +149,8 @@ std::array<int, 2> SeenInTriangle(int n, int i, int j, int orientation)
   return seen[orientation];
 }
 
-/// How a square is turned: which of the entity's axes lies along the element's first, and which of
-/// the element's axes run backwards.
+/// The orientation of a square: which of the entity's axes lies along the element's first, and
+/// which of the element's axes are reversed.
 struct Turn
 {
   bool swapped;
@@ -162,7 +162,8 @@ constexpr std::array<Turn, 8> kTurns{ { { false, false, false }, { true, false, 
   { true, true, false }, { false, true, false }, { false, true, true }, { true, true, true },
   { true, false, true }, { false, false, true } } };
 
-/// Unknowns in a lattice, each odd orientation with the sign of the face's normal if `normal`.
+/// The order of unknowns in a lattice. With `normal`, odd orientations have the sign of the face's
+/// normal.
 std::vector<int> LatticeOrder(Geometry geometry, int n, int o, bool normal)
 {
   std::vector<int> order;
@@ -189,7 +190,7 @@ std::vector<int> LatticeOrder(Geometry geometry, int n, int o, bool normal)
   return order;
 }
 
-/// Two tangential unknowns at each point of a triangle.
+/// The order of the two tangential unknowns at each point of a triangle.
 std::vector<int> TangentTriangleOrder(int p, int o)
 {
   std::vector<int> order;
@@ -201,8 +202,8 @@ std::vector<int> TangentTriangleOrder(int p, int o)
   return order;
 }
 
-/// The unknowns along the first axis of a square, p along it and p - 1 across, then along the
-/// second.
+/// The order of a square's tangential unknowns: along the first axis, p along it and p - 1 across,
+/// then along the second.
 std::vector<int> TangentSquareOrder(int p, int o)
 {
   const int half = p * (p - 1);
@@ -294,7 +295,7 @@ std::vector<int> EntityOrder(const CollectionName& name, Geometry geometry, int 
   const bool tangent = name.continuity == Continuity::HCurl;
   if (geometry == Geometry::Segment)
   {
-    // Normals of edges in the plane turn with the edge.
+    // Normals of plane edges change sign with the edge's orientation.
     return SegmentOrder(unknowns, o, tangent || name.continuity == Continuity::HDiv);
   }
   if (tangent)

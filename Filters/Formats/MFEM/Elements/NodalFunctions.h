@@ -8,18 +8,19 @@
 
 #include <vector>
 
-// What MFEM's bases are made of: points on the line, and functions of them.
+// Points on the line and functions of them, from which MFEM's bases are constructed.
 namespace pixelexact::mfem
 {
-/// n points of a line basis in [-1,1], ascending; integrated functions have Gauss's.
+/// n points of a line basis in [-1,1], ascending; integrated functions use Gauss's points.
 std::vector<long double> LinePoints(LineBasis basis, int n);
 /// The functions of a line basis, `count` of them, of order count - 1.
 LineFunctions LineOf(LineBasis basis, int count);
-/// `count` functions whose integrals over the intervals between count + 1 closed points, in [0,1],
-/// are one or zero; from the derivatives of the points' Lagrange polynomials, as MFEM makes them.
+/// `count` functions whose integrals over the intervals between count + 1 closed points in [0,1]
+/// are one or zero. As in MFEM they are constructed from the derivatives of the points' Lagrange
+/// polynomials.
 LineFunctions IntegratedOf(LineBasis closed, int count);
-/// The same functions of -z.
+/// The functions of a line with the argument -z.
 LineFunctions Mirrored(LineFunctions line);
-/// The same functions, times a factor.
+/// The functions of a line times a factor.
 LineFunctions Times(long double factor, LineFunctions line);
 } // namespace pixelexact::mfem

@@ -12,8 +12,8 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// From a field's components in MFEM's unit element to those in ours, whose edges are twice as
-/// long: J^-T halves, and so does J / det J with two rows of J.
+/// Factor from a field's components in MFEM's unit element to those in our reference element, whose
+/// edges are twice as long: J^-T has the factor 1/2, and so does J / det J with two rows of J.
 constexpr long double kToReference = 1 / 2.0L;
 
 bool IsCurl(const CollectionName& name)
@@ -27,7 +27,7 @@ ChangeOfBasis Nothing(const Space& space, int sources)
     [sources](const LongVec3& /*xi*/, long double* values) { std::fill_n(values, sources, 0.0L); });
 }
 
-/// Along an edge, or to its right.
+/// A direction along an edge, or normal to it on its right.
 LongVec3 DirectionOn(bool tangential, const LongVec3& along)
 {
   return tangential ? along : LongVec3{ along[1], -along[0], 0 };
@@ -59,7 +59,7 @@ std::vector<VectorUnknown> TriangleUnknowns(const CollectionName& name)
     {
       const long double sum = inside[i] + inside[j] + inside[last - i - j];
       const LongVec3 node{ inside[i] / sum, inside[j] / sum, 0 };
-      // Normals are those of the first and the last edge.
+      // The normals are those of the first and the last edge.
       unknowns.push_back({ node, DirectionOn(tangential, { 1, 0, 0 }) });
       unknowns.push_back({ node, tangential ? LongVec3{ 0, 1, 0 } : LongVec3{ -1, 0, 0 } });
     }
@@ -75,8 +75,8 @@ struct PlaneProduct
   int sign;
 };
 
-/// MFEM turns normals left of or below the middle; where a line of unknowns is in the middle, half
-/// of it.
+/// The sign of a normal: MFEM turns normals left of or below the middle; of an odd line of unknowns
+/// in the middle it turns one half.
 int NormalSign(int order, int component, const std::array<int, 2>& place)
 {
   const int along = place[static_cast<std::size_t>(component)];
@@ -109,7 +109,7 @@ std::vector<PlaneProduct> SquareProducts(const CollectionName& name)
   }
   for (int component = 0; component < 2; ++component)
   {
-    // Along one axis the open points, along the other the closed ones without their ends.
+    // Open points along one axis, closed points without their ends along the other.
     const bool openAlongX = (component == 0) == tangential;
     for (int j = openAlongX ? 1 : 0; j < n; ++j)
     {
@@ -186,16 +186,16 @@ SolidFunctions InPlane(
   return Combined(component, space.count, DualMatrix(space.count, functionals), space.count);
 }
 
-/// Nodes of different faces that are one have been rounded differently.
+/// Tolerance for nodes of different faces that coincide except for rounding.
 constexpr long double kSameNode = 1e-12L;
 
-/// Unknowns that are products: of those in the triangle and of the points along the line.
+/// Unknowns that are products of unknowns in the triangle and points along the line.
 struct Products
 {
   std::vector<VectorUnknown> triangle;
   std::vector<long double> points; ///< in [0,1]
   std::vector<int> source;         ///< the unknown for each of the triangle's, and each point
-  std::vector<long double> factor; ///< by point: what makes upright directions into units
+  std::vector<long double> factor; ///< by point: scale factor of upright directions
 };
 
 bool IsSame(const VectorUnknown& a, const VectorUnknown& b)
@@ -238,7 +238,7 @@ Products Split(
   return products;
 }
 
-/// The line's functions, of xi2, against which MFEM's z runs.
+/// The line's functions of xi2, which runs against MFEM's z.
 LineFunctions AlongHeight(const Products& products, long double weight)
 {
   auto points = products.points;
@@ -281,7 +281,7 @@ ElementBasis TriangleVectorBasis(const CollectionName& name)
         std::for_each(values, values + count, [](long double& value) { value *= kToReference; });
       });
   };
-  // y is along xi3, and nothing across.
+  // y is along xi3; the component across is zero.
   basis.parts.push_back(part(0));
   basis.parts.push_back(Nothing(space, count));
   basis.parts.push_back(part(1));

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t kShortestCell = 6; ///< "1 1 0 1" at a line's end
 constexpr int kMaxVertices = 1 << 30;
 
-/// Words of a section that comes before the vertices.
+/// The sections before the vertices that were read.
 struct Sections
 {
   bool dimension = false;
@@ -23,7 +23,7 @@ struct Sections
 
 std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, int dimension)
 {
-  // A vertex more with each dimension.
+  // Each further dimension adds at least one vertex to a cell.
   const int count =
     scanner.Count(what, kShortestCell + 2 * static_cast<std::size_t>(dimension - 1));
   std::vector<Cell> cells;
@@ -35,7 +35,7 @@ std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, int dimensio
   return cells;
 }
 
-/// Named lists of attributes (version 1.3).
+/// Reads named lists of attributes (version 1.3).
 void ReadAttributeSets(TextScanner& scanner, bool boundary, std::vector<Group>& groups)
 {
   const int sets = scanner.Count("the number of attribute sets", 4);
@@ -50,7 +50,8 @@ void ReadAttributeSets(TextScanner& scanner, bool boundary, std::vector<Group>& 
   }
 }
 
-/// The tree of old non-conforming files: their leaves and vertices are numbered as they stand.
+/// Skips the tree of old non-conforming files. Their leaves and vertices are numbered in the order
+/// of the file.
 void SkipTree(TextScanner& scanner, std::string_view section)
 {
   const int count = scanner.Count("the number of tree entries", 4);
@@ -79,8 +80,8 @@ void ReadVertices(TextScanner& scanner, MeshFile& mesh)
   scanner.Positions(mesh.vertices, space, mesh.coordinates);
 }
 
-/// What a piece shares with others: its unknowns are its own here, so that only the processes
-/// count.
+/// Reads the processes with which a piece shares entities. Each piece keeps its own unknowns, so
+/// nothing else of these sections is used.
 std::set<int> ReadSharing(TextScanner& scanner)
 {
   scanner.Expect("number_of_groups");
@@ -114,7 +115,7 @@ std::set<int> ReadSharing(TextScanner& scanner)
   return processes;
 }
 
-/// Reads one section. False: the word is none of a mesh's, what follows is something else.
+/// Reads one section. Returns false where the next word does not begin a section of a mesh.
 bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
 {
   const std::string_view section = scanner.Peek();
@@ -201,7 +202,7 @@ void CheckVertices(TextScanner& scanner, const MeshFile& mesh)
   }
 }
 
-/// MFEM drops vertices that no element has, and numbers the others anew.
+/// Removes vertices that no element has and renumbers the others, as MFEM does.
 void RemoveUnusedVertices(MeshFile& mesh)
 {
   std::vector<int> number;
@@ -223,7 +224,7 @@ void RemoveUnusedVertices(MeshFile& mesh)
       v = static_cast<int>(std::ranges::lower_bound(number, v) - number.begin());
     }
   };
-  // A boundary element with a vertex of no element belongs to nothing.
+  // Boundary elements with a removed vertex are dropped.
   std::erase_if(mesh.boundary,
     [&](const Cell& cell)
     {

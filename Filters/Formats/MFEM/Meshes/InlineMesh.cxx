@@ -11,11 +11,12 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// A line of text may ask for any number; examples have thousands.
+/// Limit of elements that a file of a few lines may request; MFEM's examples have thousands.
 constexpr double kMaxElements = 1e6;
 constexpr int kMaxAlongSide = 1 << 20;
 
-/// How a cell of the box is made of elements: by its corners, in MFEM's order, and its centre (8).
+/// How a cell of the box is divided into elements: by its corners, in MFEM's order, and its centre
+/// (8).
 struct Split
 {
   const char* type;
@@ -55,7 +56,7 @@ struct Box
   std::array<double, 3> sides{ 0.0, 0.0, 0.0 };
 };
 
-/// Without blanks at its ends.
+/// The text without blanks at its ends.
 std::string Trimmed(std::string_view text)
 {
   const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -70,7 +71,7 @@ std::string Trimmed(std::string_view text)
   return std::string(text);
 }
 
-/// "name = word", one a line or with semicolons between them.
+/// Reads entries "name = word", one a line or separated by semicolons.
 std::map<std::string, std::string> ReadEntries(TextScanner& scanner)
 {
   std::map<std::string, std::string> entries;
@@ -93,7 +94,7 @@ std::map<std::string, std::string> ReadEntries(TextScanner& scanner)
   return entries;
 }
 
-/// A positive number.
+/// Returns an entry that must be a positive number.
 double Positive(TextScanner& scanner, std::map<std::string, std::string>& entries,
   const std::string& name, bool isWhole)
 {
@@ -178,7 +179,7 @@ public:
 private:
   using Index = std::array<int, 3>;
 
-  /// As MFEM rounds it.
+  /// Coordinate d of a lattice point, with MFEM's rounding.
   [[nodiscard]] double At(int d, double index) const
   {
     return Source.cells[d] > 0 ? index / Source.cells[d] * Source.sides[d] : 0.0;
@@ -244,7 +245,7 @@ private:
     }
   }
 
-  /// A boundary element where all vertices are on one side of the box.
+  /// Adds a boundary element for each side of the box that contains all these vertices.
   void AddSide(const Cell& element, Geometry geometry, std::span<const int> local)
   {
     for (int d = 0; d < Mesh.dimension; ++d)
@@ -264,7 +265,7 @@ private:
     }
   }
 
-  /// Of a vertex along an axis; -1 of one inside of a cell.
+  /// The lattice index of a vertex along an axis; -1 for a cell's centre.
   [[nodiscard]] int IndexOf(int vertex, int d) const
   {
     if (vertex >= Points[0] * Points[1] * Points[2])

@@ -19,34 +19,34 @@ struct Incidence
   int orientation = 0;
 };
 
-/// Edges and faces of a mesh, numbered as MFEM does: in the order in which the elements come upon
-/// them. Where elements of different refinement meet, each has faces of its own.
+/// Edges and faces of a mesh, numbered as in MFEM: in the order of their first element. Where
+/// elements of different refinement meet, each has its own faces.
 class Topology
 {
 public:
   explicit Topology(const MeshFile& mesh);
-  /// Of nothing: for spaces without unknowns on edges and faces.
+  /// Constructs an empty topology, for spaces without unknowns on edges and faces.
   Topology() = default;
 
-  /// Gives back the memory that only FindFace needs, which is not called any more.
+  /// Frees the memory that only FindFace needs. FindFace must not be called afterwards.
   void ForgetVertices();
 
   [[nodiscard]] int Edges() const { return EdgeCount; }
   [[nodiscard]] int Faces() const { return static_cast<int>(FaceGeometries.size()); }
-  /// Faces, of plane elements edges, that one element alone has.
+  /// The number of faces (of plane elements: edges) that belong to one element only.
   [[nodiscard]] int BorderFaces() const { return BorderCount; }
   [[nodiscard]] Geometry FaceGeometry(int face) const { return FaceGeometries[face]; }
   [[nodiscard]] std::span<const Incidence> EdgesOf(std::size_t element) const;
   [[nodiscard]] std::span<const Incidence> FacesOf(std::size_t element) const;
 
-  /// An element that has a face, and the face's number there; of plane elements the edge's.
+  /// An element that has a face, and the face's number in it; for plane elements the edge's.
   struct Owner
   {
     int element = -1;
     int localFace = -1;
   };
-  /// The first two elements that have a face of the given vertices, or plane elements that have an
-  /// edge of these two; none where there is none.
+  /// The first two elements that have a face with the given vertices, or plane elements that have
+  /// an edge with these two; empty where none has.
   [[nodiscard]] std::span<const Owner> FindFace(std::span<const int> vertices) const;
 
 private:

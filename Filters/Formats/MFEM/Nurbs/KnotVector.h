@@ -8,26 +8,26 @@
 
 namespace pixelexact::mfem
 {
-/// A knot vector as MFEM has it: ascending, with degree + 1 knots more than control points.
+/// A knot vector as in MFEM: ascending, with degree + 1 more knots than control points.
 struct KnotVector
 {
   int degree = 1;
   std::vector<double> knots;
 
   [[nodiscard]] int Points() const { return static_cast<int>(knots.size()) - degree - 1; }
-  /// The first control points of the spans that are not empty: MFEM's elements.
+  /// The first control points of the knot spans that are not empty, which are MFEM's elements.
   [[nodiscard]] std::vector<int> Spans() const;
-  /// Whether functions are continuous: no inner knot is there more than `degree` times.
+  /// Whether functions are continuous: no inner knot occurs more than `degree` times.
   [[nodiscard]] bool IsContinuous() const;
-  /// Whether it is the same from the other end, up to rounding.
+  /// Whether the knot vector equals its reverse up to rounding.
   [[nodiscard]] bool IsSymmetric() const;
-  /// Run through from the other end, with MFEM's roundings.
+  /// The reversed knot vector, with MFEM's roundings.
   [[nodiscard]] KnotVector Flipped() const;
-  /// Of a higher degree, as MFEM makes it: the inner knots are as many as before.
+  /// The knot vector of degree `to` that MFEM makes, which has the same number of inner knots.
   [[nodiscard]] KnotVector Elevated(int to) const;
-  /// From the degree + 1 control points of the span that begins with control point `first` to
-  /// Bernstein's coefficients on part `part` of `parts` equal ones: means with weights that are not
-  /// negative.
+  /// The matrix from the degree + 1 control points of the span that begins with control point
+  /// `first` to Bernstein's coefficients on part `part` of `parts` equal ones. Its rows are means
+  /// with weights that are not negative.
   [[nodiscard]] rational::LineMatrix Extraction(int first, int part, int parts) const;
 };
 

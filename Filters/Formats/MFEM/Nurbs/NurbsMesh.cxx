@@ -10,7 +10,8 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// Knots of two patches that meet may differ by this much of their length, as written by hand.
+/// Tolerance for knots of two patches that meet, relative to their length. It covers digits of
+/// hand-written files.
 constexpr double kSameKnots = 1e-12;
 
 void SkipNumbers(TextScanner& scanner, int count)
@@ -21,7 +22,8 @@ void SkipNumbers(TextScanner& scanner, int count)
   }
 }
 
-/// How edges are to be divided: nothing of what the file holds depends on it.
+/// Skips the section that describes how to divide edges. It does not affect other contents of the
+/// file.
 void SkipSpacing(TextScanner& scanner, const NurbsMesh& nurbs)
 {
   if (scanner.Peek() == "refinements")
@@ -144,7 +146,8 @@ Patch ReadPatch(TextScanner& scanner, NurbsMesh& nurbs, std::vector<bool>& known
   return patch;
 }
 
-/// Nodes and weights as MFEM makes them of patches: what several have is the last one's.
+/// Nodes and weights that MFEM computes from patches: at shared control points the last patch
+/// determines them.
 GridFunctionFile ReadPatches(TextScanner& scanner, NurbsMesh& nurbs)
 {
   nurbs.vectors.resize(static_cast<std::size_t>(nurbs.topology.vectors));
@@ -207,7 +210,7 @@ void ReadKnotVectors(TextScanner& scanner, NurbsMesh& nurbs)
   }
 }
 
-/// Of nodes and weights: that they are there for all control points.
+/// Throws where nodes or weights are missing for some control points.
 void RequireNodes(TextScanner& scanner, const NurbsMesh& nurbs, const GridFunctionFile& nodes)
 {
   const std::int64_t size = ControlPoints(nurbs).Size();

@@ -8,10 +8,10 @@ namespace pixelexact::mfem
 {
 /// MFEM's own limit of indices.
 inline constexpr std::int64_t kMaxControlPoints = 1 << 30;
-/// At most so many control points become one where boundaries are identified in all directions.
+/// Limit of control points that become one where boundaries are identified in all directions.
 inline constexpr std::int64_t kMaxIdentified = 8;
 
-/// What a NURBS mesh's file holds beside its nodes.
+/// The contents of a NURBS mesh's file except its nodes.
 struct NurbsMesh
 {
   PatchTopology topology;
@@ -24,13 +24,12 @@ struct NurbsMesh
   std::vector<std::vector<int>> pieces;
 };
 
-/// Reads what follows "MFEM NURBS mesh v1.0", or v1.1 (`hasSpacing`): by patches, or by knot
-/// vectors, weights and nodes. Spacing, which only tells how to refine, is passed over. A piece of
-/// a parallel mesh (mesh_elements) has all patches and knot vectors, but weights and nodes of its
-/// own control points alone: its result has neither elements nor vertices. Throws InvalidData and
-/// Unsupported.
+/// Reads what follows "MFEM NURBS mesh v1.0", or v1.1 (`hasSpacing`): patches, or knot vectors,
+/// weights and nodes. Skips spacings, which only control refinement. A piece of a parallel mesh
+/// (mesh_elements) has all patches and knot vectors, but weights and nodes of its own control
+/// points only; its result has neither elements nor vertices. Throws InvalidData and Unsupported.
 MeshFile ReadNurbs(TextScanner& scanner, bool hasSpacing);
 
-/// The elements and vertices of a mesh whose knot vectors are known; fills `nurbs.places`.
+/// Creates the elements and vertices of a mesh whose knot vectors are known; fills `nurbs.places`.
 MeshFile MakeNurbsMesh(NurbsMesh& nurbs);
 } // namespace pixelexact::mfem

@@ -19,14 +19,15 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// Orders above this make a span of the map be divided. Two parts with the order that suffices for
-/// each cost a ray less than one with the order that both need.
+/// A knot span whose map needs a higher order is divided. For a ray, two parts of sufficient order
+/// cost less than one part of the higher order.
 constexpr int kMaxMapOrder = 12;
-/// Where that would make too many parts.
+/// The limit where kMaxMapOrder would give too many parts.
 constexpr int kHighMapOrder = 18;
-/// Fields live on the map's parts. Two orders more tell whether this is enough.
+/// Fields are defined on the map's parts. Two further orders are needed to check that the order
+/// suffices.
 constexpr int kMaxFieldOrder = kMaxOrder - 2;
-/// A field that loses more than this of its range is refused.
+/// Largest loss of a field, relative to its range. A larger one is refused.
 constexpr double kMaxFieldLoss = 1e-9;
 
 std::string Text(double number)
@@ -37,7 +38,7 @@ std::string Text(double number)
   return text.str();
 }
 
-/// The largest difference of one component's values.
+/// The largest range of one component's values.
 double RangeOf(std::span<const double> values, int components)
 {
   double range = 0.0;
@@ -56,8 +57,7 @@ double RangeOf(std::span<const double> values, int components)
   return range;
 }
 
-/// Knot vectors that MFEM 4.9 takes from their other ends: it looks at a patch's edges from its
-/// first vertex.
+/// Knot vectors that MFEM 4.9 reverses, because it orients a patch's edges from its first vertex.
 std::set<int> TurnedByOthers(const NurbsMesh& mesh)
 {
   std::set<int> turned;
@@ -145,7 +145,7 @@ NurbsModel::Function NurbsModel::FunctionOf(
   {
     throw InvalidData(names.front() +
       ": a control point has a value that is NaN or infinite, which spoils all elements around it; "
-      "write the file anew.");
+      "write the file again.");
   }
   return { std::move(data), file.components };
 }

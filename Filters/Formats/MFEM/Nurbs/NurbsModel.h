@@ -10,33 +10,33 @@
 
 namespace pixelexact::mfem
 {
-/// Rational maps and fields of a NURBS mesh as polynomials, on parts of its knot spans where these
-/// are too long for that (bases-and-kernels.md).
+/// Converts rational maps and fields of a NURBS mesh to polynomials, on parts of its knot spans
+/// where whole spans need too high an order (bases-and-kernels.md).
 class NurbsModel
 {
 public:
-  /// What polynomials lose at most, relative to an element's size or a field's range, unless their
-  /// orders or the parts would be too many; notes tell what they do lose.
+  /// Largest loss of polynomials, relative to an element's size or a field's range, unless orders
+  /// or the number of parts would be too high. Notes then state the actual loss.
   static constexpr double kLoss = 1e-14;
-  /// Of a knot span, in all.
+  /// Largest number of parts of one knot span.
   static constexpr int kMaxParts = 64;
 
-  /// Divides knot spans as NURBS nodes need it, which are of the file or, one by one, of its
-  /// pieces; none where the nodes are others. `names`: of the file or its pieces. The file outlives
-  /// it. Throws InvalidData and Unsupported, naming the file.
+  /// Divides knot spans as the NURBS nodes require. `nodes` come from the file or, one by one, from
+  /// its pieces; they are empty where the nodes are not NURBS. `names`: of the file or its pieces.
+  /// The file must outlive this object. Throws InvalidData and Unsupported, naming the file.
   NurbsModel(const MeshFile& file, std::span<const GridFunctionFile> nodes,
     std::span<const std::string> names);
 
-  /// The parts, as a mesh: elements, boundary elements and vertices.
+  /// The parts as a mesh: elements, boundary elements and vertices.
   [[nodiscard]] const MeshFile& Shown() const { return Drawn; }
   [[nodiscard]] const Topology& Entities() const { return *DrawnEntities; }
-  /// Of each of its elements.
+  /// The part of a knot span for each element of Shown().
   [[nodiscard]] const std::vector<rational::ElementPart>& Parts() const { return PartList; }
   /// Whether the nodes are NURBS.
   [[nodiscard]] bool HasMap() const { return Map.has_value(); }
-  /// The map through the nodes, which are NURBS; what is lost is added to the uncertainty.
+  /// Adds the map through the NURBS nodes; its loss is added to the uncertainty.
   void AddMap(SolverModel& model);
-  /// A NURBS grid function, by its file or those of all pieces.
+  /// Adds a NURBS grid function, given by its file or those of all pieces.
   void AddField(std::span<const GridFunctionFile> files, std::span<const std::string> names,
     const std::string& name, SolverModel& model);
 
@@ -57,15 +57,16 @@ private:
     std::vector<rational::Orders> order;    ///< per part
     std::vector<const ElementBasis*> basis; ///< per part
     std::vector<double> loss;               ///< per part
-    bool isPolynomial = true;               ///< nothing is lost
+    bool isPolynomial = true;               ///< the function has no loss
   };
-  /// Orders for each knot vector, so that parts that meet agree. `target`: of each part.
+  /// Chooses orders for each knot vector, so that parts that meet agree. `target`: the accepted
+  /// loss on each part.
   Bases BasesOf(
     const Function& function, int most, const std::function<double(std::size_t)>& target);
 
-  /// Children spans until each part needs no order above `most`. False: there are too many parts.
+  /// Divides spans until no part needs an order above `most`. False where there are too many parts.
   bool Divide(const Function& function, int most);
-  /// Into how many parts a span is divided at most.
+  /// Limit of parts of one span.
   [[nodiscard]] int MostPartsOfSpan() const;
   void MakeParts();
 

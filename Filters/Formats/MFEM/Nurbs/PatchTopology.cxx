@@ -30,18 +30,18 @@ std::vector<std::array<int, 2>> EdgesAlong(const Cell& patch, int dimension, int
   return edges;
 }
 
-/// Whether the knot vector of the edge from a to b runs against this sense.
+/// Whether the knot vector of the edge runs from b to a.
 bool IsReversed(const PatchTopology& topology, int a, int b)
 {
   return topology.knots[static_cast<std::size_t>(topology.FindEdge(a, b))].isReversed == (a < b);
 }
 
-/// Where the file lists none: by what patches share, edges on opposite sides having the same one.
-/// Sets `knots` and `vectors`.
+/// Derives the knot vectors where the file lists none: edges on opposite sides of a patch share
+/// one. Sets `knots` and `vectors`.
 void MakeKnotVectors(PatchTopology& topology)
 {
   const auto dimension = static_cast<std::size_t>(topology.dimension);
-  // A set for each patch and direction; its root is the least of those that are one.
+  // A disjoint-set forest of patches and directions. The root of a set is its least member.
   std::vector<std::size_t> parent(topology.patches.size() * dimension);
   std::iota(parent.begin(), parent.end(), std::size_t{ 0 });
   const auto root = [&parent](std::size_t i)
@@ -80,8 +80,8 @@ void MakeKnotVectors(PatchTopology& topology)
   topology.vectors = static_cast<int>(numbers.size());
 }
 
-/// Turns edges so that all of a patch's direction run in one sense, beginning with the last patch,
-/// and sets `lines`. Fails by `scanner` where that cannot be.
+/// Turns edges so that all edges of a patch's direction run in one sense, beginning with the last
+/// patch, and sets `lines`. Fails through `scanner` where that is impossible.
 void OrientKnotVectors(const TextScanner& scanner, PatchTopology& topology)
 {
   using Along = std::pair<std::size_t, int>; // patch and direction
@@ -184,7 +184,8 @@ std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, Geometry geo
   return cells;
 }
 
-/// Edges and faces in the order in which patches come upon them; edges only where none are known.
+/// Numbers edges and faces in the order in which patches contain them; edges only where none are
+/// known.
 void Number(PatchTopology& topology)
 {
   const bool hasEdges = !topology.edges.empty();
@@ -261,7 +262,7 @@ void RequireEdges(TextScanner& scanner, const PatchTopology& topology)
   }
 }
 
-/// Of each boundary patch, the sides of patches with its vertices.
+/// Finds the patches' sides that have the vertices of each boundary patch.
 void FindSides(TextScanner& scanner, PatchTopology& topology)
 {
   std::map<std::vector<int>, std::vector<PatchTopology::Side>> sides;

@@ -32,7 +32,7 @@ std::vector<int> ReadAttributes(TextScanner& scanner)
   return list;
 }
 
-/// The sections of a version 1.0 header.
+/// Reads the sections of a version 1.0 header.
 void ReadSections(TextScanner& scanner, GridFunctionFile& file)
 {
   while (scanner.Peek().starts_with("NURBS_"))
@@ -74,7 +74,7 @@ void ReadSections(TextScanner& scanner, GridFunctionFile& file)
 
 bool IsComplex(TextScanner& scanner)
 {
-  // Of a process' piece, or of the whole.
+  // A piece of a process and a whole file have different words.
   return scanner.Peek() == "ComplexGridFunction" || scanner.Peek() == "ParComplexGridFunction";
 }
 } // namespace
@@ -139,7 +139,7 @@ GridFunctionFile ReadAnyGridFunction(TextScanner& scanner)
         "without NURBS_patches.");
     }
   }
-  // A number takes some 20 bytes, or, where it is short, the list grows as it goes.
+  // A number takes about 20 bytes. Where numbers are shorter, the list grows.
   file.values.reserve(scanner.Remaining() / kDefaultBytes);
   double value = 0.0;
   while (scanner.TryNumber(value))

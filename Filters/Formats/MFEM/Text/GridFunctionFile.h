@@ -10,7 +10,7 @@
 
 namespace pixelexact::mfem
 {
-/// What a NURBS space's header says where it is another one than the mesh's.
+/// The sections of a NURBS space's header where the space differs from the mesh's.
 struct NurbsSections
 {
   std::vector<int> orders; ///< one for all knot vectors, or one for each
@@ -19,7 +19,7 @@ struct NurbsSections
   std::vector<double> weights; ///< per control point; empty: all are 1
 };
 
-/// A grid function as its file has it.
+/// The contents of a grid function's file.
 struct GridFunctionFile
 {
   std::string collection;
@@ -33,14 +33,14 @@ struct GridFunctionFile
   [[nodiscard]] bool IsNurbs() const { return collection.starts_with("NURBS"); }
 };
 
-/// Reads a header and all the numbers that follow it. Throws Unsupported for a complex one.
+/// Reads a header and all numbers after it. Throws Unsupported for a complex grid function.
 GridFunctionFile ReadGridFunction(TextScanner& scanner);
-/// The same for one that may be complex.
+/// The same for a grid function that may be complex.
 GridFunctionFile ReadAnyGridFunction(TextScanner& scanner);
 
-/// Whether a quadrature function begins here, which has values at points of its own.
+/// Whether a quadrature function begins here. Its values are at quadrature points.
 bool IsQuadratureFunction(TextScanner& scanner);
 
-/// The real and the imaginary part of a complex one.
+/// The real and the imaginary part of a complex grid function.
 std::pair<GridFunctionFile, GridFunctionFile> PartsOf(const GridFunctionFile& complex);
 } // namespace pixelexact::mfem

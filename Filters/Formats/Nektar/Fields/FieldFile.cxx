@@ -28,10 +28,10 @@ double* MapPages(std::size_t bytes)
   return static_cast<double*>(pages);
 }
 
-/// An element has one value at least; ids alone are not in proportion to anything.
+/// Limit of elements. Each has at least one value, but the length of a list of ids bounds nothing.
 constexpr std::size_t kMaxElements = std::size_t{ 1 } << 28U;
 
-/// The directions of xi that the file tells of, in its order.
+/// The directions of xi for which the file gives orders, in its order.
 std::vector<std::size_t> DirectionsOf(std::string_view shape)
 {
   if (shape == "Triangle")
@@ -113,7 +113,7 @@ public:
     const std::size_t expected = Block.perField * Block.fields.size();
     if (compressed)
     {
-      // One more than right would be noticed.
+      // Reads one more than expected, to detect a wrong number.
       File.PassRecords<double>(Node, expected + 1,
         [this](std::span<const double> some, std::size_t /*packed*/)
         { Block.values.Append(some); });
@@ -199,7 +199,7 @@ private:
   std::vector<std::size_t> ModeCounts;
 };
 
-/// The time in the metadata, in the form of today or that of Nektar++ 3.
+/// The time in the metadata, in the current form or that of Nektar++ 3.
 std::optional<double> ReadTime(const Document& document)
 {
   pugi::xml_node time = document.Root().child("Metadata").child("Time");
@@ -271,7 +271,7 @@ FieldFile ReadFieldFile(const NamedText& file)
   FieldFile result;
   result.notes = document.Notes();
   result.time = ReadTime(document);
-  // As Nektar++ does, from each element NEKTAR.
+  // Reads all NEKTAR elements, as Nektar++ does.
   for (auto root = document.Root(); root; root = root.next_sibling("NEKTAR"))
   {
     for (const auto& node : root.children("ELEMENTS"))

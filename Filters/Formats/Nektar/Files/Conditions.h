@@ -9,9 +9,9 @@
 
 namespace pixelexact::nektar
 {
-/// A session's parameters (CONDITIONS, PARAMETERS), of the last of its files that has conditions:
-/// as in Nektar++ they replace those of the files before. Each is an expression of those above it;
-/// one that cannot be evaluated has no value.
+/// A session's parameters (CONDITIONS, PARAMETERS). As in Nektar++ the last file with conditions
+/// replaces those of earlier files. Each parameter is an expression of those above it; one that
+/// cannot be evaluated has no value.
 class Parameters
 {
 public:
@@ -27,9 +27,9 @@ private:
   std::map<std::string, double, std::less<>> Values;
 };
 
-/// What a session says of homogeneous (quasi-3-D) expansions, such as "1D", or nothing.
+/// The homogeneous (quasi-3-D) expansions that a session declares, such as "1D"; nothing without.
 std::optional<std::string> HomogeneousType(std::span<const Document* const> session);
 
-/// The end of a message on homogeneous expansions: why, and what to do.
+/// The end of messages on homogeneous expansions: reason and remedy.
 std::string HomogeneousRemedy();
 } // namespace pixelexact::nektar

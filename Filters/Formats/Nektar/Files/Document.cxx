@@ -16,7 +16,7 @@ namespace
 {
 constexpr std::size_t kExpansion = 1032;
 
-/// Takes a number off the beginning of the text; false where there is none.
+/// Takes a number from the beginning of the text; false where there is none.
 template <class T>
 bool Take(std::string_view& text, T& value)
 {
@@ -34,7 +34,7 @@ bool Take(std::string_view& text, T& value)
   return true;
 }
 
-/// The same for a number that ends at a blank or with the text.
+/// Takes a number that ends at a blank or with the text.
 template <class T>
 bool TakeWord(std::string_view& text, T& value)
 {
@@ -77,7 +77,7 @@ Document::~Document()
     }
     catch (const InvalidData&)
     {
-      // What was read is whole.
+      // The file was truncated after it was read, which does no harm.
     }
   }
 }
@@ -143,7 +143,7 @@ bool Document::IsCompressed(const pugi::xml_node& node) const
 
 bool Document::IsCompressedField(const pugi::xml_node& node) const
 {
-  // Nektar++ knows no other fields, and up to 4.0 wrote no attribute. Base64 of a zlib stream
+  // Nektar++ has no other fields, and up to 4.0 it wrote no attribute. Base64 of a zlib stream
   // begins with a letter, a number does not.
   const std::string_view text = WithoutBlanks(node.child_value());
   return IsCompressed(node) ||

@@ -14,13 +14,13 @@
 
 namespace pixelexact::nektar
 {
-/// Reads a file's text, in place where it is a FileText's, into `xml`: UTF-8, UTF-16, UTF-32 or,
-/// where it is declared, Latin-1. A document type is left out, as by Nektar++'s own parser, and
-/// like there entities beyond XML's five stand for themselves. What that parser reads over although
-/// it is no XML is repaired, with a line in `notes` each. What that parser ends at, and what would
-/// be dropped without a word, is refused: text outside of elements, attributes that are there
-/// twice, declarations within a document type. Throws InvalidData ("<file>, line <n>: ...") and,
-/// for HDF5, Unsupported. Returns the long blocks that marks stand for (XmlBlocks.h).
+/// Reads a file's text into `xml`, in place where it is a FileText's: UTF-8, UTF-16, UTF-32 or,
+/// where declared, Latin-1. As in Nektar++'s own parser, a document type is skipped, and entities
+/// other than XML's five stand for themselves. Errors that this parser tolerates are repaired, with
+/// a line in `notes` each. Refused are errors at which it stops, and contents that it would drop
+/// silently: text outside of elements, attributes that occur twice, declarations within a document
+/// type. Throws InvalidData ("<file>, line <n>: ...") and, for HDF5, Unsupported. Returns the long
+/// blocks that marks replace (XmlBlocks.h).
 std::vector<std::string_view> LoadXml(
   const NamedText& file, pugi::xml_document& xml, std::vector<std::string>& notes);
 
@@ -28,7 +28,7 @@ std::vector<std::string_view> LoadXml(
 class Document
 {
 public:
-  /// Throws InvalidData: "<file>: ..." for what is no XML or has no NEKTAR element.
+  /// Throws InvalidData ("<file>: ...") where the file is not XML or has no NEKTAR element.
   explicit Document(const NamedText& file);
   ~Document();
   Document(const Document&) = delete;
@@ -39,7 +39,7 @@ public:
   /// Its name without folders.
   [[nodiscard]] std::string BaseName() const { return FileName.substr(FileName.rfind('/') + 1); }
 
-  /// What was repaired in the file so that it is XML, as SolverModel::notes.
+  /// Notes on repairs of the file's XML, as in SolverModel::notes.
   [[nodiscard]] const std::vector<std::string>& Notes() const { return RepairNotes; }
 
   /// The only child of a tag, or none; fails where there are several.
@@ -52,9 +52,10 @@ public:
   [[noreturn]] void Fail(const pugi::xml_node& node, const std::string& problem) const;
   [[noreturn]] void FailUnsupported(const pugi::xml_node& node, const std::string& problem) const;
 
-  /// Whether the element's text is a compressed block; fails for forms that are not known.
+  /// Whether the element's text is a compressed block; fails for unknown forms.
   [[nodiscard]] bool IsCompressed(const pugi::xml_node& node) const;
-  /// The same for the coefficients of fields, which are compressed where nothing is said.
+  /// The same for the coefficients of fields, which are compressed unless the file states
+  /// otherwise.
   [[nodiscard]] bool IsCompressedField(const pugi::xml_node& node) const;
   /// The fixed-size records of a compressed block, at most `most` of them.
   template <class Record>
@@ -64,8 +65,8 @@ public:
     PassRecords<Record>(node, most,
       [&records, most](std::span<const Record> some, std::size_t packed)
       {
-        // Numbers are rarely compressed to less than a quarter; what is not written takes no
-        // memory.
+        // Numbers are rarely compressed to less than a quarter. Reserved memory that is not written
+        // costs nothing.
         if (records.empty())
         {
           records.reserve(std::min(most, 4 * packed / sizeof(Record)) + some.size());
@@ -74,7 +75,7 @@ public:
       });
     return records;
   }
-  /// The same, some at a time, with the bytes of the compressed text.
+  /// Passes records in batches, with the number of bytes of the compressed text.
   template <class Record, class Pass>
   void PassRecords(const pugi::xml_node& node, std::size_t most, Pass&& pass) const
   {
@@ -98,21 +99,21 @@ public:
     }
   }
 
-  /// Whole numbers in an element's text; fails unless there are `count` of them.
+  /// Returns the whole numbers in an element's text; fails unless there are `count` of them.
   std::vector<std::int64_t> Integers(const pugi::xml_node& node, std::size_t count) const;
-  /// Numbers in an element's text.
+  /// Returns the numbers in an element's text.
   std::vector<double> Numbers(const pugi::xml_node& node) const;
-  /// An attribute that must be a whole number that is not negative.
+  /// Returns an attribute that must be a whole number and not negative.
   std::int64_t Id(const pugi::xml_node& node, const char* attribute) const;
-  /// A list such as "0-65,70"; fails for more than `most` numbers.
+  /// Returns the numbers of a list such as "0-65,70"; fails for more than `most` numbers.
   std::vector<std::int64_t> List(
     const pugi::xml_node& node, std::string_view text, std::size_t most) const;
 
-  /// No compressed block of the file may expand to more: a thousandfold, zlib's limit.
+  /// Limit of the bytes of an expanded block: a thousand times the file, which is zlib's limit.
   [[nodiscard]] std::size_t MostBytes() const { return MostExpanded; }
 
 private:
-  /// Text() without a copy where it is in one piece, else in `joined`.
+  /// Returns Text() without a copy where it is in one piece, else stores it in `joined`.
   std::string_view TextView(const pugi::xml_node& node, std::string& joined) const;
 
   std::string FileName;

@@ -15,14 +15,14 @@ namespace
 {
 const std::string kRoot = "/NEKTAR";
 
-/// Nektar++ 5's enumeration of families of functions.
+/// The names of bases in the order of Nektar++ 5's enumeration.
 constexpr std::array kFamilies{ "NoBasisType", "Ortho_A", "Ortho_B", "Ortho_C", "Modified_A",
   "Modified_B", "Modified_C", "OrthoPyr_C", "ModifiedPyr_C", "Fourier", "GLL_Lagrange",
   "Gauss_Lagrange", "Legendre", "Chebyshev", "Monomial", "FourierSingleMode", "FourierHalfModeRe",
   "FourierHalfModeIm" };
 
-/// A row of DECOMPOSITION: how much of each data set belongs to a block of elements, and the name
-/// of the group that describes it.
+/// Columns of DECOMPOSITION. A row states how much of each data set belongs to a block of elements,
+/// and names the group that describes it.
 enum Column : std::size_t
 {
   kElements,
@@ -35,7 +35,7 @@ enum Column : std::size_t
   kColumns
 };
 
-/// Where a block begins in each data set.
+/// The beginning of a block in each data set.
 struct Offsets
 {
   std::size_t elements = 0;
@@ -110,7 +110,7 @@ public:
     return xml + "</Metadata>";
   }
 
-  /// The names of the first block's fields.
+  /// The names of the first block's fields, as XML.
   [[nodiscard]] std::string Names() const
   {
     return Rows.empty() ? "" : "<ELEMENTS FIELDS=\"" + TextsOf(GroupOf(0), "FIELDS") + "\"/>";
@@ -137,7 +137,7 @@ public:
   }
 
 private:
-  /// A data set of numbers that a file need not have.
+  /// An optional data set of numbers.
   [[nodiscard]] std::vector<std::uint64_t> NumbersIn(const char* set) const
   {
     const std::string path = kRoot + "/" + set;
@@ -159,7 +159,7 @@ private:
     return kRoot + "/" + std::to_string(At(row, kGroup));
   }
 
-  /// Text of the file as it may stand in XML.
+  /// Text of the file, which must not contain XML's special characters.
   [[nodiscard]] std::string Plain(const std::string& text) const
   {
     if (text.find_first_of("<>&\"") != std::string::npos)
@@ -174,7 +174,7 @@ private:
     return Plain(Joined(File.TextAttributes(group, attribute)));
   }
 
-  /// Takes `count` of a data set's entries, from where the last block ended.
+  /// Takes `count` entries of a data set, from the end of the last block.
   template <class Value>
   std::span<const Value> Take(
     const std::vector<Value>& all, std::size_t& at, std::uint64_t count, const char* set) const
@@ -218,7 +218,7 @@ private:
     return xml + " " + kBlockAttributes + ">" + StoredBlock(std::as_bytes(values)) + "</ELEMENTS>";
   }
 
-  /// Whether Nektar++ 4 wrote the file, whose enumeration goes on differently behind Modified_C.
+  /// Whether Nektar++ 4 wrote the file. Its enumeration differs after Modified_C.
   [[nodiscard]] bool IsOld() const
   {
     const std::string provenance = kRoot + "/Metadata/Provenance";
@@ -243,7 +243,7 @@ private:
       if (old && !(number == kOldFourier && File.HasAttribute(group, "HOMOGENEOUSLENGTHS")))
       {
         throw Unsupported(Name + ": a BASIS is number " + std::to_string(number) +
-          ", which Nektar++ 4 counts otherwise than 5; write the file anew (FieldConvert in.fld "
+          ", which differs between Nektar++ 4 and 5; write the file again (FieldConvert in.fld "
           "out.fld).");
       }
       names.emplace_back(old ? "Fourier" : kFamilies[static_cast<std::size_t>(number)]);

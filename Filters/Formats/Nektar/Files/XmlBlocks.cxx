@@ -30,11 +30,12 @@ std::array<int, 256> MakeDigitTable()
 
 constexpr std::size_t kLong = std::size_t{ 1 } << 18U;
 constexpr std::size_t kTogether = std::size_t{ 1 } << 18U;
-/// No XML has this character. Marks begin with a letter, as base64 of a zlib stream does.
+/// A character that cannot occur in XML. Marks begin with a letter, as base64 of a zlib stream
+/// does.
 constexpr char kMark = '\x01';
 constexpr std::string_view kBegin = "B\x01";
 
-/// Characters of base64, and blanks.
+/// Whether a character belongs to base64 or is a blank.
 constexpr std::array<bool, 256> MakeTable()
 {
   std::array<bool, 256> table{};
@@ -52,7 +53,7 @@ bool IsBase64(char c)
   return kTable[static_cast<unsigned char>(c)];
 }
 
-/// What stands between a tag and the next one.
+/// The text between a tag and the next one.
 struct Between
 {
   std::size_t end = 0;
@@ -105,7 +106,8 @@ Decompressor::Decompressor(
   , Where(std::move(where))
 {
   State = inflateInit(&Stream);
-  // The parser's own marks stand before and behind; the page in which the text begins is kept.
+  // The parser writes into the text before and after a block, so the page in which the text begins
+  // is kept.
   const std::string_view whole = file != nullptr ? file->Get() : std::string_view();
   if (!file || file->Own().empty() || base64.empty() ||
     std::less<>()(base64.data(), whole.data()) ||
@@ -122,7 +124,7 @@ Decompressor::~Decompressor()
   inflateEnd(&Stream);
 }
 
-/// The next bytes of the stream.
+/// Decodes the next bytes of the stream.
 void Decompressor::Decode()
 {
   static const auto table = MakeDigitTable();
@@ -187,7 +189,7 @@ std::size_t Decompressor::Read(std::span<std::byte> bytes)
   if (State != Z_OK && State != Z_STREAM_END)
   {
     throw InvalidData(
-      Where + ": the compressed data are damaged or cut short; copy the file anew.");
+      Where + ": the compressed data are damaged or cut short; copy the file again.");
   }
   Total += got;
   return got;

@@ -18,17 +18,18 @@ namespace pixelexact::nektar
 {
 namespace
 {
-/// A text that breaks the rules of XML, as Nektar++'s own parser (TinyXML) and its users take it.
+/// A text that breaks the rules of XML, corrected to the XML that Nektar++'s own parser (TinyXML)
+/// reads.
 struct RepairedXml
 {
-  std::string text;                 ///< XML of as many lines
+  std::string text;                 ///< XML with the same number of lines
   std::vector<std::string> repairs; ///< one sentence each, with the line; never empty
 };
 
 constexpr auto kNone = std::string_view::npos;
 constexpr std::size_t kMaxShown = 60;
 
-/// Marks of XML that are copied as they stand, and what ends them.
+/// Markup that is copied unchanged, and its end.
 struct Mark
 {
   std::string_view begin;
@@ -73,12 +74,12 @@ public:
   }
 
 private:
-  /// An element whose end tag has not come yet.
+  /// An element whose end tag has not been read yet.
   struct Open
   {
     std::string_view name;
     std::size_t empty = kNone;    ///< where <name/> begins within it in the result
-    std::size_t emptyEnd = 0;     ///< behind its '>'
+    std::size_t emptyEnd = 0;     ///< after its '>'
     std::string_view emptyText{}; ///< the same in the text
   };
 
@@ -96,7 +97,8 @@ private:
       problem);
   }
 
-  /// What begins with '<'. False: it is never closed, or does not match.
+  /// Copies or repairs markup, which begins with '<'. Returns false where it is never closed or
+  /// does not match.
   bool Tag()
   {
     const std::string_view rest = Text.substr(At);
@@ -158,7 +160,7 @@ private:
     return true;
   }
 
-  /// Ends elements by the <name/> in them until the innermost has this name, or none is left.
+  /// Ends elements at the <name/> in them until the innermost has this name, or none is left.
   bool CloseUpTo(std::string_view name)
   {
     while (!Path.empty() && Path.back().name != name)
@@ -168,7 +170,7 @@ private:
       {
         return false;
       }
-      // "<name/>" and "</name>" are of one length.
+      // "<name/>" and "</name>" have the same length.
       std::string& text = Result.text;
       const std::size_t slash = text.rfind('/', open.emptyEnd - 1);
       text.erase(slash, 1);
@@ -211,7 +213,7 @@ private:
     return true;
   }
 
-  /// A blank, or a name with a value.
+  /// Copies a blank, or a name with a value.
   bool Attribute()
   {
     if (IsBlank(Text[At]))
@@ -252,14 +254,14 @@ private:
   RepairedXml Result;
 };
 
-/// Repairs what TinyXML reads over, and end tags that Nektar++'s own sessions have wrong:
+/// Repairs errors that TinyXML tolerates, and wrong end tags in Nektar++'s own sessions:
 /// - "<" before anything but a letter, '_', '/', '?', "!--", "![CDATA[" and "!DOCTYPE" begins a tag
-///   of no meaning, which ends at the first '>' (<!N VAR="u"/>, <--!I PROPERTY="x"/-->);
+///   without meaning, which ends at the first '>' (<!N VAR="u"/>, <--!I PROPERTY="x"/-->);
 /// - an attribute's value without quotation marks ends at a blank, '/' or '>' (<P A=1/>);
-/// - an end tag ends its element whatever stands behind its name (</F NAME="f">);
+/// - an end tag ends its element whatever follows its name (</F NAME="f">);
 /// - <A/> within A, where the end tag of A is missing, is that end tag (<A>text<A/>).
-/// None where nothing of this is in the text, or where its tags do not match all the same. The text
-/// is in a code of one byte for each of XML's marks, such as UTF-8.
+/// Returns none where the text has no such error, or where its tags still do not match. The text's
+/// encoding has one byte for each of XML's marks, such as UTF-8.
 std::optional<RepairedXml> RepairXml(std::string_view text)
 {
   return Repairer(text).Repair();
@@ -280,7 +282,7 @@ std::ptrdiff_t UnitSize(pugi::xml_encoding encoding)
   }
 }
 
-/// Tells of what is wrong by its line. Offsets are those of pugixml: characters after conversion.
+/// Reports errors by their line. Offsets are those of pugixml: characters after conversion.
 class Checker : public pugi::xml_tree_walker
 {
 public:

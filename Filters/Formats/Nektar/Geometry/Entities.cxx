@@ -44,7 +44,7 @@ void ForEntities(
   }
 }
 
-/// Reads one file's entities into a geometry that may hold other parts' already.
+/// Reads one file's entities into a geometry that may already contain those of other parts.
 class EntityReader
 {
 public:
@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  /// What several parts have must be the same in each.
+  /// Fails where an entity occurs in several parts and differs.
   void RequireSame(const pugi::xml_node& node, bool same, const char* what, std::int64_t id) const
   {
     if (!same)
@@ -140,7 +140,7 @@ private:
     const pugi::xml_node parent = File.Only(Node, "EDGE");
     if (File.IsCompressed(parent))
     {
-      // The list itself is the block.
+      // The list itself is the compressed block.
       const std::size_t most = File.MostBytes() / sizeof(EntityRecord<2>);
       for (const auto& record : File.Records<EntityRecord<2>>(parent, most))
       {
@@ -158,7 +158,7 @@ private:
         const std::array<std::int64_t, 2>& vertices) { AddEdge(node, id, vertices); });
   }
 
-  /// An element is a face with the same number.
+  /// An element of a plane mesh is a face with the same number.
   template <std::size_t N>
   void ReadPlaneElements(const SolidTag& tag)
   {
@@ -187,7 +187,7 @@ private:
         {
           Require(node, Target.edges.contains(e), "face", id, "edge", e);
         }
-        // Vertex k begins edge k: it is shared with the edge before.
+        // Vertex k is shared by edge k, which begins there, and the edge before it.
         for (std::size_t k = 0; k < N; ++k)
         {
           face.vertices[k] = Shared(node, id, edges[(k + N - 1) % N], edges[k]);

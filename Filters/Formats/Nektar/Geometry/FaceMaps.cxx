@@ -12,7 +12,7 @@ namespace pixelexact::nektar
 namespace
 {
 constexpr int kCornerSign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
-/// A triangle's edges in the sense in which they are filled.
+/// A triangle's edges in the directions in which it is filled from them.
 constexpr int kTriangleEdges[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
 
 void Add(LongVec3& sum, long double factor, const LongVec3& x)
@@ -119,7 +119,7 @@ int FaceMaps::OrderOf(const Face& face) const
 
 LongVec3 FaceMaps::AtEdge(const Edge& edge, std::int64_t from, long double z) const
 {
-  // Own coordinate: from the edge's first vertex to its second.
+  // The edge's own coordinate, from its first vertex to its second.
   const long double own = edge.vertices[0] == from ? z : -z;
   LongVec3 x{};
   if (edge.curve < 0)
@@ -178,7 +178,7 @@ LongVec3 FaceMaps::FillTriangle(
   const auto points = GaussPoints(factor.columns);
   for (int i = 0; i < factor.columns; ++i)
   {
-    // What the bubble's value at this point adds, over all of its modes.
+    // The sum of the bubble's modes for this sample point.
     long double weight = 0.0L;
     for (int p = 2; p <= order; ++p)
     {

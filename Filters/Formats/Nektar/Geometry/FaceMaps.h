@@ -9,25 +9,25 @@
 
 namespace pixelexact::nektar
 {
-/// The maps of edges and faces to the world. A face with points of its own is their interpolation;
-/// one without is filled from its edges with the modified basis: on triangles the bubbles of the
-/// first edge decay towards the third vertex as ((1 - eta2) / 2)^p.
+/// The maps from edges and faces to world space. A face with points of its own is their
+/// interpolation. One without is filled from its edges with the modified basis: on triangles the
+/// bubbles of the first edge decay towards the third vertex as ((1 - eta2) / 2)^p.
 class FaceMaps
 {
 public:
-  /// Prepares for every curve of the geometry; the geometry outlives it. Safe to use from several
+  /// Prepares every curve of the geometry, which must outlive this object. Safe to use from several
   /// threads.
   explicit FaceMaps(const Geometry& geometry);
 
-  /// The point of a face at weights of its vertices: bilinear on quadrilaterals, barycentric on
-  /// triangles; in the face's own order of vertices.
+  /// The point of a face for weights of its vertices, in the face's own order of vertices: bilinear
+  /// on quadrilaterals, barycentric on triangles.
   [[nodiscard]] LongVec3 At(const Face& face, const std::array<long double, 4>& weights) const;
 
   /// The highest order of a face's curve and of its edges' curves.
   [[nodiscard]] int OrderOf(const Face& face) const;
 
 private:
-  /// What edge k adds to the straight line between its ends, at z.
+  /// The difference of edge k from the straight line between its ends, at z in [-1,1].
   using EdgeBubble = std::function<LongVec3(int k, long double z)>;
 
   [[nodiscard]] LongVec3 Vertex(std::int64_t id) const;
@@ -35,12 +35,13 @@ private:
   [[nodiscard]] LongVec3 Bubble(const Edge& edge, std::int64_t from, long double z) const;
   [[nodiscard]] LongVec3 Fill(const Face& face, const std::array<long double, 4>& weights) const;
   [[nodiscard]] LongVec3 FillQuadrilateral(const Face& face, long double s, long double t) const;
-  /// A triangle filled from what its edges add to straight ones, the first one's of an order.
+  /// A triangle filled from its edges' differences from straight lines; `order` is that of the
+  /// first edge.
   [[nodiscard]] LongVec3 FillTriangle(
     int order, const std::array<long double, 4>& weights, const EdgeBubble& bubble) const;
   [[nodiscard]] LongVec3 TriangleBubble(const Face& face, int k, long double z) const;
-  /// What the edges' own curves change of a triangle's interpolation: as in Nektar++ they have the
-  /// last word, where the digits of tabulated points leave a difference.
+  /// The difference between the edges' own curves and a triangle's interpolation. As in Nektar++
+  /// the edges' curves take precedence where rounded tabulated points differ from them.
   [[nodiscard]] LongVec3 FromEdges(
     const Face& face, const Curve& curve, const std::array<long double, 4>& weights) const;
   [[nodiscard]] LongVec3 Interpolate(

@@ -36,8 +36,8 @@ double ReadExpression(const Document& document, const pugi::xml_node& node,
   }
 }
 
-/// The attributes XSCALE, YSCALE, ZSCALE, XMOVE, YMOVE, ZMOVE and ZROT of a VERTEX element:
-/// expressions of the session's parameters. Throws InvalidData for what is none.
+/// The attributes XSCALE, YSCALE, ZSCALE, XMOVE, YMOVE, ZMOVE and ZROT of a VERTEX element, which
+/// are expressions of the session's parameters. Throws InvalidData where one is not.
 Transform ReadTransform(
   const Document& document, const pugi::xml_node& vertices, const Parameters& parameters)
 {
@@ -52,10 +52,10 @@ Transform ReadTransform(
   return transform;
 }
 
-/// Makes a geometry of segments (its edges, along x) one of quadrilaterals with the segments'
-/// numbers, whose first direction is theirs. Vertices become the sides behind them, and so do those
-/// of composites. `name`: of the file, for messages. Throws InvalidData without segments,
-/// Unsupported for segments that do not lie along x.
+/// Converts a geometry of segments (its edges, along x) to quadrilaterals with the segments'
+/// numbers, whose first direction is that of the segments. Vertices, also those of composites,
+/// become the sides at their ends. `name`: of the file, for messages. Throws InvalidData without
+/// segments, Unsupported for segments that are not along x.
 void MakeStrip(const std::string& name, Geometry& geometry)
 {
   if (geometry.edges.size() == 0)
@@ -118,14 +118,15 @@ void MakeStrip(const std::string& name, Geometry& geometry)
   }
 }
 
-/// Of its elements (DIM), or of the space that they are in (SPACE).
+/// The dimension of the elements (DIM) or of the space that contains them (SPACE).
 std::int64_t DimensionOf(
   const Document& document, const pugi::xml_node& geometry, const char* name = "DIM")
 {
   return geometry.attribute(name) ? document.Id(geometry, name) : 3;
 }
 
-/// The GEOMETRY of a file of the session; none where it has none. Refuses what is not read at all.
+/// The GEOMETRY of a file of the session; none where it has none. Throws for unsupported
+/// geometries.
 pugi::xml_node FindGeometry(const Document& document, std::span<const Document* const> session)
 {
   const pugi::xml_node geometry = document.Only(document.Root(), "GEOMETRY");
@@ -173,8 +174,8 @@ struct Part
   Transform transform;
 };
 
-/// A note where parts of a partitioned mesh (they are numbered from 0) are not there. How many
-/// there are, no file says: one alone is taken for too few.
+/// Adds a note where parts of a partitioned mesh, which are numbered from 0, are missing. No file
+/// contains the number of parts, so a single part also counts as incomplete.
 void NoteMissingParts(const std::vector<Part>& parts, Geometry& geometry)
 {
   std::set<std::int64_t> numbers;

@@ -66,7 +66,7 @@ std::vector<double> WavesOf(const FourierLayers* y, const FourierLayers& z)
   return waves;
 }
 
-/// A range of values that are attained in elements' middles; the true one is no smaller.
+/// The range of the field's values at sampled elements' middles; the true range is no smaller.
 double AttainedRange(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z)
 {
   constexpr std::size_t kElements = 2000;
@@ -101,15 +101,16 @@ double AttainedRange(const HomogeneousField& field, const FourierLayers* y, cons
   return high > low ? high - low : 0.0;
 }
 
-/// What polynomials of these orders lose of a field at most, by what is lost along y and z.
+/// Bounds of the difference between a field and its polynomials of given orders, along y and along
+/// z.
 struct Losses
 {
   double y = 0.0;
   double z = 0.0;
 };
 
-/// A product f g of functions, none above 1, loses along z what g does, and along y what f does
-/// times the polynomial in place of g, which is at most 1 + g's loss. `largest`: per plane.
+/// A product f g of functions bounded by 1 loses along z the loss of g, and along y the loss of f
+/// times a bound of g's polynomial, 1 + g's loss. `largest`: per plane.
 Losses LossesOf(const std::vector<double>& largest, const FourierLayers* y, const FourierLayers& z,
   const Accuracy& orders)
 {
@@ -208,7 +209,7 @@ Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers* y, const
     {
       return found;
     }
-    // Where more is lost, more is gained.
+    // Raises the order of the direction with the larger loss.
     const bool atY = found.orderZ == kMaxOrder || (losses.y > losses.z && found.orderY < kMaxOrder);
     if ((atY ? found.orderY : found.orderZ) == kMaxOrder || (atY && y == nullptr))
     {

@@ -5,7 +5,7 @@
 
 #include <span>
 
-// Fourier's functions as Legendre's polynomials, layer by layer, by Rayleigh's expansion:
+// Expands Fourier's functions in Legendre's polynomials, layer by layer, by Rayleigh's expansion:
 //   exp(i t x) = sum over n of (2 n + 1) i^n j_n(t) P_n(x),  |j_n(t)| <= t^n / (2 n + 1)!!
 
 namespace pixelexact::nektar
@@ -13,7 +13,7 @@ namespace pixelexact::nektar
 class FourierLayers
 {
 public:
-  /// As many layers as the shortest wave has half lengths: two for each wave.
+  /// Uses two layers for each period of the shortest wave.
   explicit FourierLayers(const Periodic& along);
 
   [[nodiscard]] int Layers() const { return Count; }
@@ -29,12 +29,12 @@ public:
   [[nodiscard]] double Value(std::size_t function, double s) const;
   /// A function's coefficient of P_n(x), n to kMaxOrder, x from -1 to 1 upwards in the layer.
   [[nodiscard]] double Coefficient(int layer, std::size_t function, int n) const;
-  /// A bound of what polynomials of this order lose of the function, anywhere.
+  /// A bound of |function - polynomial of this order|, anywhere.
   [[nodiscard]] double Loss(std::size_t function, int order) const;
 
 private:
   [[nodiscard]] int Wave(std::size_t function) const { return Along.functions[function] / 2; }
-  /// Of wave k in half a layer.
+  /// The phase of wave k in half a layer.
   [[nodiscard]] long double Phase(int wave) const;
 
   Periodic Along;
@@ -42,7 +42,7 @@ private:
   std::vector<long double> Bessel; ///< j_n of each function's phase, n to kMaxOrder
 };
 
-/// How near polynomials come to a field.
+/// Orders of polynomials, and a bound of their difference from a field.
 struct Accuracy
 {
   int orderY = 0;
@@ -51,7 +51,7 @@ struct Accuracy
   double range = 0.0; ///< at least
 };
 
-/// With orders that are proven to lose no more than kHomogeneousLoss of the range, each the least
-/// that will do, or the highest. `y` is null where the mesh is two-dimensional.
+/// The least orders, or the highest, with a loss that is proven to be at most kHomogeneousLoss of
+/// the range. `y` is null where the mesh is two-dimensional.
 Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z);
 } // namespace pixelexact::nektar

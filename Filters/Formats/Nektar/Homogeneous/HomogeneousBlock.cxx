@@ -10,9 +10,9 @@ namespace pixelexact::nektar
 {
 namespace
 {
-/// Functions along a direction; layers are in proportion to them.
+/// Limit of functions along a direction; the number of layers is proportional to them.
 constexpr std::int64_t kMaxFunctions = 1024;
-/// Products of two directions' functions.
+/// Limit of products of two directions' functions.
 constexpr std::size_t kMaxLines = std::size_t{ 1 } << 16U;
 
 class HomogeneousReader
@@ -101,8 +101,8 @@ private:
     }
   }
 
-  /// The numbers of functions in a list; where there is none, as many as NUMMODESPERDIR says,
-  /// `fromEnd` from its last number.
+  /// The numbers of functions in a list. Without a list: 0 to the number in NUMMODESPERDIR, at
+  /// place `fromEnd` from its last, less one.
   std::vector<int> Numbers(const char* list, int fromEnd, std::size_t most) const
   {
     const auto numbers = Node.attribute(list) ? File.List(Node, Node.attribute(list).value(), most)
@@ -138,7 +138,7 @@ private:
     return functions;
   }
 
-  /// Where the file does not list them: 0 to the number of NUMMODESPERDIR less one.
+  /// The numbers where the file does not list them: 0 to the number in NUMMODESPERDIR less one.
   std::vector<std::int64_t> NumbersOfFunctions(int fromEnd) const
   {
     const auto words = SplitAtCommas(Node.attribute("NUMMODESPERDIR").value());
@@ -147,14 +147,15 @@ private:
       !ParseWhole(words[words.size() - static_cast<std::size_t>(fromEnd)], count) || count < 1 ||
       count > kMaxFunctions)
     {
-      File.Fail(Node, "NUMMODESPERDIR does not tell how many homogeneous functions there are.");
+      File.Fail(Node, "NUMMODESPERDIR does not give the number of homogeneous functions.");
     }
     std::vector<std::int64_t> numbers(static_cast<std::size_t>(count));
     std::iota(numbers.begin(), numbers.end(), 0);
     return numbers;
   }
 
-  /// Each product of a function of y and one of z has an entry in both lists, y's fastest.
+  /// Reads lines of products: each product of a function of y and one of z has an entry in both
+  /// lists, y's fastest.
   void ReadLines()
   {
     Homogeneous& along = Result.along;
