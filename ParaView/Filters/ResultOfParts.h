@@ -12,12 +12,12 @@ class vtkInformationVector;
 
 namespace pixelexact
 {
-/// Of each port the data of its connections.
+/// The data objects of each port's connections.
 using InputPorts = std::vector<std::vector<vtkSmartPointer<vtkDataObject>>>;
 
-/// RequestData in a parallel run: `gather` gives what all processes have, null on those that make
-/// no result, whose output is empty; `make` is RequestData with that in the inputs' places. What
-/// throws is the filter's error. All processes must call it.
+/// RequestData in a parallel run. `gather` returns the data of all processes, or null on those that
+/// make no result, whose output is empty. `make` is RequestData with these data as inputs.
+/// Exceptions become errors of the filter. All processes must call it.
 int ResultOfParts(vtkAlgorithm* filter, vtkInformationVector* output,
   const std::function<InputPorts()>& gather,
   const std::function<int(vtkInformationVector** inputs)>& make);

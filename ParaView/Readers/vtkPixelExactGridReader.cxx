@@ -26,7 +26,7 @@ namespace
 {
 constexpr std::size_t kHead = std::size_t{ 1 } << 16U;
 
-/// Reads nothing of a .vtu but the cells' types.
+/// Reads only the cells' types of a .vtu.
 class CellTypes : public vtkXMLUnstructuredGridReader
 {
 public:
@@ -38,7 +38,7 @@ public:
     return made;
   }
 
-  bool HasCurved = false; ///< a cell of a type that is not linear
+  bool HasCurved = false; ///< a cell has a type that is not linear
 
 protected:
   int ReadPieceData() override
@@ -72,7 +72,7 @@ protected:
   }
 };
 
-/// No object of VTK's reports anything meanwhile.
+/// Turns off the messages of all VTK objects during its lifetime.
 class Silence
 {
 public:
@@ -85,7 +85,7 @@ private:
   vtkTypeBool Before = vtkObject::GetGlobalWarningDisplay();
 };
 
-/// The files that a .pvtu or .pvd names, of which the first ones are enough.
+/// The first files that a .pvtu or .pvd names.
 std::vector<std::filesystem::path> PartsIn(const std::filesystem::path& file)
 {
   constexpr std::size_t kMax = 8;
@@ -105,11 +105,11 @@ std::vector<std::filesystem::path> PartsIn(const std::filesystem::path& file)
   return parts;
 }
 
-/// What names of arrays begin with that go with coefficients.
+/// Prefix of the names of arrays that belong to coefficients.
 constexpr const char* kOurs = "PixelExact";
 
-/// Whether a file holds cells that are not linear, or coefficients. ParaView's own readers give
-/// what linear cells hold.
+/// Whether a file holds cells that are not linear, or coefficients. For linear cells ParaView's own
+/// readers suffice.
 bool HasHighOrderCells(const std::filesystem::path& file)
 {
   const std::string suffix = pixelexact::LowerSuffix(file);

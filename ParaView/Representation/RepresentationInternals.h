@@ -43,8 +43,8 @@ struct vtkPixelExactRepresentation::Internals
   vtkNew<vtkHighOrderJumpWalls> Walls; ///< of the iso-surface
   vtkNew<vtkHighOrderLayer> WallLayer; ///< the mapper's
   std::string SurfaceFile;
-  vtkSmartPointer<vtkHighOrderSurface> OfFile; ///< null: not read yet, or in vain
-  std::optional<std::string> FailedFile;       ///< so that it is told once
+  vtkSmartPointer<vtkHighOrderSurface> OfFile; ///< null: not read yet, or reading failed
+  std::optional<std::string> FailedFile;       ///< reported once
 
   vtkNew<vtkUnstructuredGridToHighOrderGrid> Convert;
   vtkSmartPointer<vtkDataObject> Shown; ///< on processes that have data
@@ -59,7 +59,7 @@ struct vtkPixelExactRepresentation::Internals
   vtkWeakPointer<vtkDataObject> Delivered; ///< what the mapper shows
   unsigned long RenderObserver = 0;
 
-  /// Of a pixel, see GetPicked.
+  /// Data of a pixel, see GetPicked.
   struct PickedPoint
   {
     std::array<double, 11> numbers;
@@ -72,29 +72,30 @@ struct vtkPixelExactRepresentation::Internals
   PickedPoint Pointed; ///< under the pointer
   std::function<std::string(int, int)> PointerSource;
   vtkIdType UnknownPixels = 0;                  ///< of several processes
-  std::array<double, 2> SeenByAll{ 1.0, -1.0 }; ///< of these
+  std::array<double, 2> SeenByAll{ 1.0, -1.0 }; ///< range of values on all processes
 
   std::set<std::string> Selectors;
   bool HasBlockColors = false;
   bool HasBlockOpacities = false;
-  std::set<std::string> Told; ///< so that each is told once
+  std::set<std::string> Reported; ///< messages that were reported once
   pixelexact::ViewNotes Notes;
 
   static bool HasCells(vtkDataObject* data);
-  /// Whether the array of the colours has a field's name and is not the field.
+  /// Whether the colours' array has a field's name but is not the field.
   [[nodiscard]] bool HasOtherColors(vtkDataObject* data) const;
   static bool HasSeveralProcesses();
   static bool IsFirstProcess();
-  /// Tells selections of the cells of `data`, which ParaView extracts: element and source cell may
-  /// have other numbers, in parts of a mesh and where cells were not converted.
+  /// Gives the cells of Shown their numbers in `data`, from which ParaView extracts selections.
+  /// Element and source cell may have other numbers in parts of a mesh and where cells were not
+  /// converted.
   void NumberSelectedCells(vtkDataObject* data);
-  /// What a pixel shows, of all processes, each of which calls it.
+  /// Finds what a pixel shows over all processes. All processes must call it.
   void Pick(int x, int y, PickedPoint& point);
   void Describe(vtkHighOrderPicker* picker, PickedPoint& point);
-  /// Of this process' part of the last picture; 1 and -1 where it shows no values.
+  /// The range of values in the last picture of this process' part; 1 and -1 where it shows none.
   std::array<double, 2> OwnVisibleRange();
-  /// Contours or edges, which a pixel's corners decide.
+  /// Whether contours or edges are drawn, which need values at pixels' corners.
   bool HasLines();
-  /// The data with coefficients; converted where some are plain. Throws pixelexact::Error.
+  /// Returns the data with coefficients; plain grids are converted. Throws pixelexact::Error.
   vtkSmartPointer<vtkDataObject> WithCoefficients(vtkDataObject* data);
 };

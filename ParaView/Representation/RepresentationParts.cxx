@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What several processes tell each other of their parts.
+// Exchange between processes about their parts.
 #include "RepresentationInternals.h"
 
 #include "Core/Base/Error.h"
@@ -57,7 +57,7 @@ void vtkPixelExactRepresentation::AskOthers()
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(my.Shown);
   if (!grid)
   {
-    // The others wait for this process, too, where it has nothing.
+    // The other processes wait for this one, even if it has no cells.
     grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
   try
@@ -74,7 +74,7 @@ void vtkPixelExactRepresentation::AskOthers()
     if (Internals::HasCells(grid))
     {
       my.Shown = grid;
-      // Held until the mapper has it. The box stays that of the process' own part.
+      // Keeps the model until the mapper has it. The box remains that of the process' own part.
       const auto model = pixelexact::HighOrderModel::From(grid);
       my.Mapper->SetInputData(grid);
     }

@@ -24,14 +24,15 @@
 #include <utility>
 #include <vector>
 
-// What is known of a pixel: vtkHighOrderPicker asked for this representation's actor alone, by each
-// process of its part.
+// Picking. Each process calls vtkHighOrderPicker for its part, with this representation's actor
+// alone.
 
 namespace
 {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// An interval proven to hold a scalar field's value at a point; NaN where there is none.
+/// An interval that is proven to contain a scalar field's value at a point; NaN where there is
+/// none.
 std::array<double, 2> EnclosureAt(vtkDataObject* grid, const char* field, const double x[3])
 {
   vtkNew<vtkPoints> points;
@@ -56,7 +57,7 @@ std::array<double, 2> EnclosureAt(vtkDataObject* grid, const char* field, const 
   return { lower->GetComponent(0, 0), upper->GetComponent(0, 0) };
 }
 
-/// How far in front of the camera a point lies.
+/// The depth of a point in front of the camera.
 double DepthOf(const double x[3], vtkCamera* camera)
 {
   double away[3];
@@ -64,15 +65,15 @@ double DepthOf(const double x[3], vtkCamera* camera)
   return vtkMath::Dot(away, camera->GetDirectionOfProjection());
 }
 
-/// What a process found: the verdict, and how deep.
+/// A process' result: verdict and depth.
 using Finding = std::array<double, 2>;
 
-/// The process whose finding is nearest to the camera, -1 where there is none. Where parts meet
-/// several have the point: of these one that is sure, and then the first, whose elements come first
-/// in the whole mesh.
+/// The process whose result is nearest to the camera, -1 where there is none. Where parts meet,
+/// several processes have the point: a certain result precedes, then the first process, whose
+/// elements come first in the whole mesh.
 int NearestOf(const std::vector<Finding>& all)
 {
-  // As a part of the depth: hits of one surface differ by rounding and the last Newton step.
+  // Relative to the depth. Hits of one surface differ by rounding and by the last Newton step.
   constexpr double kSame = 1e-12;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Finding& one : all)
@@ -163,24 +164,24 @@ void vtkPixelExactRepresentation::Internals::Pick(int x, int y, PickedPoint& poi
   {
     return;
   }
-  vtkMultiProcessStream told;
+  vtkMultiProcessStream stream;
   if (processes->GetLocalProcessId() == nearest)
   {
     Describe(picker, point);
     for (const double number : point.numbers)
     {
-      told << number;
+      stream << number;
     }
-    told << point.text;
+    stream << point.text;
   }
-  processes->Broadcast(told, nearest);
+  processes->Broadcast(stream, nearest);
   if (processes->GetLocalProcessId() != nearest)
   {
     for (double& number : point.numbers)
     {
-      told >> number;
+      stream >> number;
     }
-    told >> point.text;
+    stream >> point.text;
   }
 }
 
@@ -188,8 +189,8 @@ void vtkPixelExactRepresentation::Internals::Pick(int x, int y, PickedPoint& poi
 void vtkPixelExactRepresentation::AfterRender()
 {
   Internals& my = *this->Data;
-  // Scripts ask the first process alone, so what it has to say is put together here, where all
-  // processes come by. Selections draw more often, and not for the eye.
+  // Scripts query the first process only, so results are gathered here, where all processes run.
+  // Selections render more often, and not for the user.
   if (!Internals::HasSeveralProcesses() || !this->GetVisibility() || my.Renderer == nullptr ||
     my.Renderer->GetSelector() != nullptr)
   {
@@ -198,7 +199,7 @@ void vtkPixelExactRepresentation::AfterRender()
   const vtkIdType own = my.Actor->GetVisibility() ? my.Mapper->GetNumberOfUnknownPixels() : 0;
   vtkMultiProcessController::GetGlobalController()->AllReduce(
     &own, &my.UnknownPixels, 1, vtkCommunicator::SUM_OP);
-  // Both ends as largest values.
+  // Negates the lower end, so that one maximum gives both ends.
   const std::array range = my.OwnVisibleRange();
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   const bool any = range[0] <= range[1];
@@ -277,7 +278,7 @@ std::string vtkPixelExactRepresentation::TextAt(int x, int y)
 {
   Internals& my = *this->Data;
   std::string text = my.PointerSource ? my.PointerSource(x, y) : this->PickAt(x, y);
-  // In lines, for a view may be narrow.
+  // Breaks the text into lines, because a view may be narrow.
   for (const char* part : { " xi (", "), ", " in [" })
   {
     const std::size_t at = text.find(part);

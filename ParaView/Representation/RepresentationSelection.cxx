@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ParaView's selections tell of the cells that are seen.
+// Numbers of visible cells for ParaView's selections.
 #include "RepresentationInternals.h"
 
 #include "HighOrderArrays.h"
@@ -17,8 +17,8 @@
 
 namespace
 {
-/// The same cells with numbers of the cells of `input`; the grid itself where its source cells,
-/// which are told anyhow, have these.
+/// A copy of the grid whose cells have the numbers of the cells of `input`; the grid itself where
+/// its source cells, which selections always contain, have these numbers.
 vtkSmartPointer<vtkUnstructuredGrid> Numbered(
   vtkUnstructuredGrid* grid, vtkUnstructuredGrid* input, bool isPart)
 {
@@ -26,16 +26,16 @@ vtkSmartPointer<vtkUnstructuredGrid> Numbered(
   vtkDataArray* source =
     grid->GetFieldData()->GetArray((std::string(pixelexact::kMeshPrefix) + "SourceCell").c_str());
   const bool isKnown = source != nullptr && source->GetNumberOfTuples() == cells;
-  // Of plain grids some cells are left out, and then source cells are the plain grid's.
+  // If cells of a plain grid were left out, source cells have the plain grid's numbers.
   const bool isWhole = input == nullptr || input->GetNumberOfCells() == cells || !isKnown;
   const auto sourceOf = [source](vtkIdType cell)
   { return static_cast<vtkIdType>(source->GetTuple1(cell)); };
-  bool isTold = isKnown && !isPart;
-  for (vtkIdType cell = 0; isTold && isWhole && cell < cells; ++cell)
+  bool isSame = isKnown && !isPart;
+  for (vtkIdType cell = 0; isSame && isWhole && cell < cells; ++cell)
   {
-    isTold = sourceOf(cell) == cell;
+    isSame = sourceOf(cell) == cell;
   }
-  if (isTold)
+  if (isSame)
   {
     return grid;
   }
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Numbered(
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::Internals::NumberSelectedCells(vtkDataObject* data)
 {
-  // Elements of other processes may come before a part's own.
+  // Elements of other processes may precede those of a part.
   const bool isPart = HasSeveralProcesses();
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(Shown))
   {

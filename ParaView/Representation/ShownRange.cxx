@@ -47,7 +47,7 @@ std::vector<vtkUnstructuredGrid*> GridsOf(vtkDataObject* data)
   return grids;
 }
 
-/// Of the component of an array that a table shows, as ParaView finds it: over all blocks.
+/// The range of the array's component that a table shows, over all blocks, as in ParaView.
 ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, vtkScalarsToColors* table)
 {
   ShownRange::Range range = kNone;
@@ -65,7 +65,7 @@ ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, vtkScala
   return range;
 }
 
-/// Of an array's values at the cells' points; empty where there are none.
+/// The range of an array's values at the cells' points; kNone where there are none.
 ShownRange::Range OfValues(vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
 {
   try
@@ -78,7 +78,7 @@ ShownRange::Range OfValues(vtkDataObject* data, const std::string& field, vtkSca
   }
 }
 
-/// The ends of all processes' ranges.
+/// The union of all processes' ranges.
 ShownRange::Range Joined(const ShownRange::Range& own, vtkMultiProcessController* processes)
 {
   if (processes == nullptr)
@@ -129,7 +129,7 @@ std::string ShownRange::Complaint(vtkDataObject* data, const std::string& field,
   const Range values = Joined(OfValues(data, field, table), processes);
   const double* shown = table->GetRange();
   const double tolerance = 1e-6 * (shown[1] - shown[0]);
-  // Whether the table spans what ParaView makes it span.
+  // Whether the table spans the range that ParaView sets.
   const bool asSet =
     std::fabs(shown[0] - values[0]) <= tolerance && std::fabs(shown[1] - values[1]) <= tolerance;
   if (processes == nullptr && !asSet)

@@ -20,7 +20,7 @@ namespace pixelexact
 {
 namespace
 {
-/// What a reader finds; an Error where that is nothing.
+/// Returns the output of a reader. Throws Error where it has no points.
 template <class Reader>
 auto Read(const std::string& file)
 {

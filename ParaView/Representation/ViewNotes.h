@@ -15,12 +15,13 @@ class vtkRenderWindowInteractor;
 
 namespace pixelexact
 {
-/// What is written over a view's picture: what colours beside the map mean, and what the pixel
-/// under the pointer shows, as long as no button is down.
+/// Text over a view's picture: the meaning of colours outside the colour map, and the values of the
+/// pixel under the pointer while no button is down.
 class ViewNotes
 {
 public:
-  /// `at`: the text of a pixel, counted from the lower left one; empty: nothing is there.
+  /// `at`: returns the text of a pixel, counted from the lower left one; empty where nothing is
+  /// shown.
   explicit ViewNotes(std::function<std::string(int x, int y)> at);
   ~ViewNotes();
   ViewNotes(const ViewNotes&) = delete;
@@ -28,15 +29,15 @@ public:
 
   void ShowLegend(bool show);
   void ShowPointer(bool show);
-  /// Where a representation is hidden nothing is written.
+  /// A hidden representation writes no text.
   void SetVisible(bool visible);
 
   void AddTo(vtkPVRenderView* view);
   void RemoveFrom(vtkPVRenderView* view);
-  /// Before each picture: the view may have got another interactor.
+  /// Must be called before each picture, because the view may have got another interactor.
   void Watch(vtkPVRenderView* view);
 
-  /// What is written of the pointer; empty: nothing.
+  /// The text of the pixel under the pointer; empty where there is none.
   [[nodiscard]] const std::string& PointerText() const { return Text; }
 
 private:

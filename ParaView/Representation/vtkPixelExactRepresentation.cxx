@@ -288,12 +288,12 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
   texts.erase("");
   for (const std::string& text : texts)
   {
-    if (!my.Told.contains(text) && Internals::IsFirstProcess())
+    if (!my.Reported.contains(text) && Internals::IsFirstProcess())
     {
       vtkWarningMacro(<< text);
     }
   }
-  my.Told = std::move(texts);
+  my.Reported = std::move(texts);
 }
 
 //------------------------------------------------------------------------------

@@ -3,15 +3,15 @@
  * @class   vtkPixelExactRepresentation
  * @brief   shows a high-order field in ParaView's render views, by vtkHighOrderMapper
  *
- * Takes a vtkUnstructuredGrid that carries high-order coefficients, or a plain one, which is
- * converted, or composite data of such grids, which are then one scene. A cut, the mesh's boundary
- * or an iso-surface is coloured by ParaView's array and colour map, or in one colour.
+ * Accepts a vtkUnstructuredGrid with high-order coefficients, a plain one, which is converted, or
+ * composite data of such grids, which become one scene. A cut, the mesh's boundary or an
+ * iso-surface is coloured by ParaView's array and colour map, or in one colour.
  *
- * Errors and warnings are those of the mapper, the converter and, where ParaView's colour map
- * leaves out values that the field has, of this class; they go to ParaView's messages. After an
- * error nothing is drawn.
+ * Errors and warnings come from the mapper, the converter and, where ParaView's colour map omits
+ * values of the field, from this class; they go to ParaView's messages. After an error nothing is
+ * drawn.
  *
- * Each process draws the elements that it has: in parallel, data are not moved.
+ * Each process draws its own elements: in parallel, data are not moved.
  */
 
 #ifndef vtkPixelExactRepresentation_h
@@ -41,7 +41,7 @@ public:
   void SetVisibility(bool visible) override;
 
   /**
-   * What is shown.
+   * The kinds of surfaces.
    */
   enum Surfaces
   {
@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * The iso-surface; see vtkHighOrderIsoSurface. Of the array only the name counts; empty: the
-   * grid's first field.
+   * The iso-surface; see vtkHighOrderIsoSurface. Only the array's name is used; empty: the grid's
+   * first field.
    */
   void SetIsoArray(int idx, int port, int connection, int association, const char* name);
   void SetIsoComponent(int component);
@@ -77,17 +77,17 @@ public:
 
   ///@{
   /**
-   * With the iso-surface, in a colour of their own, the walls that close it where the field jumps
-   * across the value; see vtkHighOrderJumpWalls. Refused by a warning where several processes draw:
-   * none of them knows both sides of all faces.
+   * Whether walls close the iso-surface, in a colour of their own, where the field jumps across the
+   * value; see vtkHighOrderJumpWalls. Several processes refuse it with a warning, because none of
+   * them has both sides of all faces.
    */
   void SetJumpWalls(bool walls);
   void SetJumpWallColor(double red, double green, double blue);
   ///@}
 
   /**
-   * A file of triangles (.stl, .vtp) or Bezier patches (.vtu, .vtp), in the data's coordinates,
-   * that each process which draws reads.
+   * A file of triangles (.stl, .vtp) or Bezier patches (.vtu, .vtp), in the data's coordinates.
+   * Each process that draws reads it.
    */
   void SetSurfaceFile(const char* file);
 
@@ -118,7 +118,7 @@ public:
 
   ///@{
   /**
-   * Which field colours: only the array's name counts. Empty: the DiffuseColor.
+   * The field in colours: only the array's name is used. Empty: the DiffuseColor.
    */
   using Superclass::SetInputArrayToProcess;
   void SetInputArrayToProcess(
@@ -128,25 +128,26 @@ public:
   ///@}
 
   /**
-   * The ends of the values that the field in colours has over the mesh, of the component that the
-   * colour map shows; see pixelexact::FieldRange. 1 and -1 where there is no such field; in several
-   * processes, of whose parts it is put together, also before the first picture.
+   * The range over the mesh of the field in colours, for the component that the colour map shows;
+   * see pixelexact::FieldRange. 1 and -1 where there is no such field and, in several processes,
+   * before the first picture.
    */
   double* GetFieldRange() VTK_SIZEHINT(2);
 
   /**
-   * The ends of the values that the last picture shows in the colours of the colour map, in the
-   * parts of all processes, although a nearer part may hide some; 1 and -1 where there are none.
+   * The range of the values in the last picture, in the colours of the colour map, over the parts
+   * of all processes, although a nearer part may hide some; 1 and -1 where there are none.
    */
   double* GetVisibleRange() VTK_SIZEHINT(2);
 
   ///@{
   /**
-   * What a pixel of the view shows (from 0, the lower left one; below 0: none), once it was
-   * rendered (in several processes: after the pixel was set), see vtkHighOrderPicker: verdict (0 no
-   * cut, 1 exact, 2 undecided), element, xi (3), value, the two ends of an interval proven to hold
-   * it (of scalar fields), position in the data's coordinates (3); NaN, of the element -1, where
-   * there is none. And the same as a text, empty where there is no cut.
+   * The contents of a pixel of the view (from 0, the lower left one; below 0: none) after it was
+   * rendered (in several processes: rendered after the pixel was set), see vtkHighOrderPicker.
+   * Verdict (0 no cut, 1 exact, 2 undecided), element, xi (3), value, the two ends of an interval
+   * that is proven to contain it (for scalar fields), position in the data's coordinates (3); NaN,
+   * and -1 for the element, where there is none. The text has the same contents; it is empty where
+   * there is no cut.
    */
   void SetPickedPixel(int x, int y);
   double* GetPicked() VTK_SIZEHINT(11);
@@ -160,9 +161,9 @@ public:
 
   ///@{
   /**
-   * What is written over the picture: what colours beside the map mean; and the text of the pixel
-   * under the pointer, while no button is down, in views with an interactor. PointerText is what is
-   * written.
+   * Texts over the picture: the meaning of colours outside the colour map; and the text of the
+   * pixel under the pointer, while no button is down, in views with an interactor. PointerText is
+   * the current text.
    */
   void SetVerdictLegend(bool show);
   void SetValueUnderPointer(bool show);
@@ -170,19 +171,19 @@ public:
   ///@}
 
   /**
-   * Who knows the text of a pixel where others draw, or not this process alone; by default PickAt.
+   * The function that returns a pixel's text where other processes draw; by default PickAt.
    */
   void SetPointerSource(std::function<std::string(int x, int y)> source);
 
   /**
-   * Of the last picture: pixels whose element could not be decided; they are magenta. Of several
-   * processes the sum, although a nearer part may hide some.
+   * The number of pixels of the last picture whose element is undecided; they are magenta. For
+   * several processes the sum, although a nearer part may hide some.
    */
   vtkIdType GetNumberOfUnknownPixels();
 
   ///@{
   /**
-   * As those of vtkProperty and vtkActor.
+   * Properties as in vtkProperty and vtkActor.
    */
   void SetAmbientColor(double red, double green, double blue);
   void SetDiffuseColor(double red, double green, double blue);
@@ -205,7 +206,7 @@ public:
 
   ///@{
   /**
-   * ParaView's choice of blocks and their colours, which are refused by a warning: blocks are one
+   * ParaView's choice of blocks and their colours. A warning refuses it, because blocks are one
    * scene.
    */
   void AddBlockSelector(const char* selector);
@@ -218,7 +219,7 @@ public:
 
   ///@{
   /**
-   * What draws.
+   * The mapper and the actor that draw.
    */
   vtkHighOrderMapper* GetMapper();
   vtkActor* GetActor();
@@ -244,14 +245,15 @@ private:
   std::string TextAt(int x, int y);
   void AfterRender();
   /**
-   * What several processes, all of which call it, tell each other of their parts: which faces of a
-   * boundary lie between these; where there are contours or edges, elements beside them.
+   * Exchanges data on parts: which faces of a boundary lie between them and, for contours or edges,
+   * elements beside them. All processes must call it.
    */
   void AskOthers();
   void AskOthersAgain(bool hadLines);
   /**
-   * Of what ParaView's panels offer and a cut does not have, and of a colour map that is too
-   * narrow. Of what is null on processes without cells, all of which call it; the first one warns.
+   * Warns about settings of ParaView's panels that do not apply to a cut, and about a colour map
+   * that is too narrow. `shown` is null on processes without cells. All processes must call it; the
+   * first one warns.
    */
   void Warn(vtkDataObject* shown);
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMPixelExactRepresentationProxy
- * @brief   a client's vtkPixelExactRepresentation knows the processes that draw
+ * @brief   connects a client's vtkPixelExactRepresentation with the processes that draw
  *
- * Where a server draws, the pointer is the client's and the elements are the server's: the text of
- * a pixel is asked of all of the server's processes at once, and what the representation tells of
- * its data (ranges, pixels) is that of the server's object, not of the client's, which has none.
+ * On a remote server the pointer is the client's and the elements are the server's. The text of a
+ * pixel is requested from all of the server's processes at once. Information of the representation
+ * about its data (ranges, pixels) comes from the server's object, because the client's has none.
  *
- * While the grid is drawn another way, its own properties are left out of Python states and traces,
- * so that these run where the plugin is not loaded.
+ * While the grid has another representation, the properties of this one are left out of Python
+ * states and traces, so that these run without the plugin.
  *
- * RescaleToVisible, once it is pushed, gives the colour map the VisibleRange: colour maps are the
- * client's.
+ * RescaleToVisible sets the colour map to the VisibleRange when it is pushed; colour maps belong to
+ * the client.
  */
 
 #ifndef vtkSMPixelExactRepresentationProxy_h
