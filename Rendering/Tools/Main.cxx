@@ -22,7 +22,7 @@
 
 namespace
 {
-// What scripts rely on.
+// Exit statuses, on which scripts rely.
 constexpr int kDone = 0;
 constexpr int kWorkFailed = 1;
 constexpr int kWrongUsage = 2;
@@ -50,7 +50,7 @@ int Fail(int status, const std::string& message, bool json)
   return status;
 }
 
-/// A failure that other processes, which may wait for this one, know nothing of.
+/// Reports a failure of this process only, and ends all processes, which may wait for this one.
 int FailAlone(const std::string& message, bool json)
 {
   if (!pixelexact::IsFirstProcess())
@@ -62,7 +62,7 @@ int FailAlone(const std::string& message, bool json)
   return status;
 }
 
-/// The status of work that is done, unless what it printed was lost.
+/// The exit status after success, unless printed output was lost.
 int Done()
 {
   try
@@ -76,7 +76,7 @@ int Done()
   return kDone;
 }
 
-/// Runs what the command line asked for.
+/// Runs the command.
 int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& common)
 {
   std::optional<tbb::global_control> limit;
@@ -149,7 +149,7 @@ int Run(std::vector<std::string> words)
     words = pixelexact::WithDefaults(program, words);
     common.words = words;
     std::vector<std::string> arguments = pixelexact::PrepareWords(program, words);
-    // CLI11 takes them from the back.
+    // CLI11 takes arguments from the back.
     std::ranges::reverse(arguments);
     program.parse(std::move(arguments));
   }
@@ -187,7 +187,7 @@ int main(int argc, char** argv)
   }
   catch (...)
   {
-    // Perform tells what commands throw; this is beyond words.
+    // Perform handles the exceptions of commands; this one is unexpected.
     std::fputs("pixelexact: internal error\n", stderr);
     return kWorkFailed;
   }

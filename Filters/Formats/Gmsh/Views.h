@@ -66,8 +66,8 @@ public:
 
 private:
   std::vector<View> All;
-  std::map<std::string, std::shared_ptr<const Scheme>>
-    Known; ///< the scheme of a view is the last one before it
+  /// By name; a view has the last scheme before it.
+  std::map<std::string, std::shared_ptr<const Scheme>> Known;
 };
 
 /// Steps of all views, ascending, with times: the file's where they ascend with the steps, else the

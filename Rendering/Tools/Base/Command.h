@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-// One file per command. Each declares its options and, when the command line names it, leaves what
-// is to be done in `action`; Main.cxx runs that and turns exceptions into an exit status.
+// One file per command. Each declares its options and, when the command line names it, stores the
+// work in `action`; Main.cxx runs it and turns exceptions into an exit status.
 namespace pixelexact
 {
-/// The command line alone is at fault: exit status 2. What only the input can tell is an Error:
-/// exit status 1.
+/// An error of the command line alone: exit status 2. Errors that depend on the input are of class
+/// Error: exit status 1.
 class UsageError : public std::runtime_error
 {
 public:
@@ -22,13 +22,13 @@ public:
 
 using Action = std::function<void()>;
 
-/// Options that every command has.
+/// Options of all commands.
 struct CommonOptions
 {
-  int threads = 0; ///< 0: as many as the machine has
+  int threads = 0; ///< 0: number of the machine's threads
   bool json = false;
   bool quiet = false;
-  std::string config;             ///< a file of defaults (Defaults.h); empty: the usual one
+  std::string config;             ///< a file of defaults (Defaults.h); empty: the default one
   bool noConfig = false;          ///< no defaults
   std::vector<std::string> words; ///< the command line and its defaults, without the program's name
 };

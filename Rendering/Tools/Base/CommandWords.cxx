@@ -38,7 +38,7 @@ bool IsOption(const std::string& word)
   return word.size() > 1 && word.front() == '-';
 }
 
-/// Of "--name=value", "-n=value" and "-nvalue" the name; the value with what stands between.
+/// Splits "--name=value", "-n=value" and "-nvalue" into the name, and the value with its separator.
 std::array<std::string, 2> Cut(const std::string& word)
 {
   const auto end = word.starts_with("--") ? word.find('=') : std::size_t{ 2 };
@@ -51,14 +51,15 @@ std::string LongName(const CLI::Option& option)
   return "--" + option.get_lnames().front();
 }
 
-/// Of an option that needs no value: the one that it then has, the first that its form names.
+/// The value of an option that is given without one: the first choice in its form. Empty where the
+/// option needs a value.
 std::string UsualValue(const CLI::Option& option)
 {
   const std::string form = option.get_type_name();
   return form.starts_with("[=") ? form.substr(2, form.find_first_of("|]") - 2) : std::string();
 }
 
-/// Reads words one after the other.
+/// Reads the command line's words in order.
 class Reader
 {
 public:
@@ -91,7 +92,7 @@ public:
   }
 
 private:
-  /// The option whose name is nearest to what was written, where it is near.
+  /// A suggestion with the option whose name is nearest to the given one; empty where none is near.
   [[nodiscard]] std::string Suggestion(const std::string& given) const
   {
     if (given == "--minus")
@@ -109,7 +110,7 @@ private:
     return pixelexact::Suggestion(names, given);
   }
 
-  /// Returns how many of the words behind it were read, too.
+  /// Reads the option at `at`. Returns the number of further words that belong to it.
   std::size_t ReadOption(std::size_t at)
   {
     auto [name, rest] = Cut(Words[at]);
@@ -173,7 +174,7 @@ private:
     return joined ? 0 : 1;
   }
 
-  /// Of an option that takes all words up to the next one; `rest` is joined to it.
+  /// Reads an option that takes all words up to the next option; `rest` belongs to it.
   std::size_t ReadGroup(std::size_t at, const CLI::Option& option, const std::string& rest)
   {
     std::size_t end = at + 1;
@@ -217,7 +218,7 @@ std::vector<std::string> PrepareWords(
   {
     ++at;
   }
-  // Help and version need no command; other options are a command's.
+  // Help and version need no command; other options belong to a command.
   const std::vector<std::string> before(
     words.begin(), words.begin() + static_cast<std::ptrdiff_t>(at));
   if (at > 0)

@@ -20,12 +20,12 @@ namespace
 {
 struct OptionFacts
 {
-  std::vector<std::string> names; ///< with their minus signs, the long one last
+  std::vector<std::string> names; ///< with leading minus signs, the long one last
   std::string form;               ///< empty: a flag
   std::string help;
-  std::vector<std::string> choices; ///< that the form names
-  bool files = true;                ///< whether its value may name one
-  bool joined = false;              ///< its value may be left out, and is joined by "="
+  std::vector<std::string> choices; ///< listed in the form
+  bool files = true;                ///< whether the value may name a file
+  bool joined = false;              ///< the value is optional and must be joined by "="
 };
 
 struct CommandFacts
@@ -35,7 +35,7 @@ struct CommandFacts
   std::vector<OptionFacts> options;
 };
 
-/// Of "a|b|c", where all are words of small letters; else none.
+/// The choices of a form "a|b|c" where all are words of small letters; else none.
 std::vector<std::string> ChoicesIn(const std::string& form)
 {
   const bool optional = form.starts_with("[=");
@@ -154,7 +154,7 @@ complete -o filenames -F _pixelexact pixelexact
     Joined(names), values, Joined(names), options);
 }
 
-/// Within single quotes of a specification of zsh's _arguments.
+/// Escapes a text for single quotes in a specification of zsh's _arguments.
 std::string ForZsh(const std::string& text)
 {
   std::string escaped;
@@ -169,7 +169,7 @@ std::string ForZsh(const std::string& text)
   return escaped;
 }
 
-/// What zsh offers for a value.
+/// The completions of zsh for an option's value.
 std::string ActionOf(const OptionFacts& option)
 {
   const std::string choices = Joined(option.choices);
@@ -194,7 +194,7 @@ std::string Zsh(const CLI::App& program)
       {
         const std::string value =
           option.form.empty() ? "" : ":" + ForZsh(option.form) + ":" + ActionOf(option);
-        // "=" : joined or not; "=-": joined alone.
+        // "=": joined or separate; "=-": joined only.
         const char* join = option.form.empty() || name.size() == 2 ? ""
           : option.joined                                          ? "=-"
                                                                    : "=";

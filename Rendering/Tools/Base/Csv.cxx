@@ -34,12 +34,12 @@ constexpr const char* kNeeded =
   RefuseLine(file, line, "the header names no column '" + name + "'; " + kNeeded);
 }
 
-/// What columns of points are called: here, in ParaView's data and in its spreadsheets.
+/// The names of a point's columns here, in ParaView's data and in its spreadsheets.
 using PointNames = std::array<const char*, 3>;
 constexpr std::array<PointNames, 3> kPointNames{ { { "x", "y", "z" },
   { "Points:0", "Points:1", "Points:2" }, { "Points_0", "Points_1", "Points_2" } } };
 
-/// A header line and where it names x, y and z; kNoColumn: it does not.
+/// A header line and the columns of x, y and z; kNoColumn: missing.
 struct Header
 {
   char separator = ',';
@@ -62,7 +62,7 @@ struct Header
   }
 };
 
-/// A comma that was meant as a decimal point moves all that stands behind it.
+/// Refuses lines with more fields than the header. A decimal comma shifts all fields after it.
 void RefuseMore(const std::string& file, std::size_t line, const std::vector<std::string>& fields,
   std::size_t columns)
 {
@@ -76,13 +76,14 @@ void RefuseMore(const std::string& file, std::size_t line, const std::vector<std
   }
 }
 
-/// Between semicolons decimal commas can be meant.
+/// The remedy for a field that is not a number. Between semicolons it may contain a decimal comma.
 std::string RemedyOf(const std::string& field)
 {
   return field.find(',') == std::string::npos ? "" : "; decimals are written with a point";
 }
 
-/// The fields of one line; false where a quote is left open or text follows a closing one.
+/// Splits one line into fields. Returns false where a quote is left open or text follows a closing
+/// one.
 bool SplitLine(std::string_view line, char separator, std::vector<std::string>& fields)
 {
   fields.assign(1, {});
@@ -141,7 +142,8 @@ void RequireOnce(const std::string& file, std::size_t line, const Header& header
   }
 }
 
-/// What names all three goes before x and y alone; else commas and x, y, z go first.
+/// Finds the separator and names of the columns: first a header with x, y and z, then one with x
+/// and y. Commas and the names x, y, z come first.
 Header ReadHeader(const std::string& file, std::size_t line, std::string_view text)
 {
   std::vector<Header> read;
@@ -202,7 +204,7 @@ PointTable ReadPoints(const std::string& file)
     {
       line.pop_back();
     }
-    // Tabs between which nothing stands are missing numbers.
+    // Empty fields between tabs are missing numbers, so such a line is not skipped.
     if (Trim(line).empty() && !(header && line.find(header->separator) != std::string::npos))
     {
       continue;

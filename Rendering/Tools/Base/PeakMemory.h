@@ -5,13 +5,14 @@
 
 namespace pixelexact
 {
-/// How far this process grows beyond what it has now: Linux's high-water mark, set back first. What
-/// the heap holds free is given back before, so that nothing hides in it.
+/// Measures the growth of this process from its construction on, by Linux's high-water mark, which
+/// it resets. Free memory of the heap is returned to the system first, so that new data cannot use
+/// it.
 class PeakMemory
 {
 public:
   PeakMemory();
-  /// Bytes, from the beginning on; none where the machine does not tell.
+  /// The growth in bytes since construction; none where the system does not provide it.
   [[nodiscard]] std::optional<double> Bytes() const;
 
 private:

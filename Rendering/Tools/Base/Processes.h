@@ -5,17 +5,18 @@
 
 #include <memory>
 
-// The processes that mpirun started together, one of which this program is. There are two programs:
-// pixelexact, which starts without MPI, and pixelexact-mpi, which the former becomes where mpirun
-// started it.
+// The processes that mpirun started together, including this one. There are two programs:
+// pixelexact, which starts without MPI, and pixelexact-mpi, by which pixelexact replaces itself
+// under mpirun.
 namespace pixelexact
 {
-/// What a main function holds while it works.
+/// Must live in the main function during the program's work.
 class ProgramProcesses
 {
 public:
-  /// Of pixelexact: where mpirun started several, the program becomes pixelexact-mpi; Error where
-  /// there is none. Of that: MPI begins, and the others are the global vtkMultiProcessController's.
+  /// In pixelexact: replaces the program by pixelexact-mpi where mpirun started several processes;
+  /// throws Error where it is not installed. In pixelexact-mpi: initialises MPI and sets the global
+  /// vtkMultiProcessController.
   ProgramProcesses(int* argc, char*** argv);
   ~ProgramProcesses();
   ProgramProcesses(const ProgramProcesses&) = delete;
@@ -26,14 +27,14 @@ private:
   std::unique_ptr<Internals> Data;
 };
 
-/// Ends all of them at once, after a failure that the others do not know of.
+/// Ends all processes at once after a failure of this one.
 void EndAllProcesses(int status);
 
-/// Whether there are several.
+/// Whether there are several processes.
 bool AreSeveralProcesses();
-/// Of this one, counted from 0; 0 speaks and writes files for all.
+/// The number of this process, from 0. Process 0 prints and writes files for all.
 int ProcessNumber();
-/// Its part of what all read.
+/// The share of this process in an input that all read.
 PieceOf PartOfThisProcess();
 inline bool IsFirstProcess()
 {

@@ -18,7 +18,7 @@ namespace pixelexact
 {
 namespace
 {
-/// As a shell reads it.
+/// Quotes a word for a shell.
 std::string Quoted(const std::string& word)
 {
   constexpr std::string_view kPlain =
@@ -41,7 +41,7 @@ std::vector<std::string> RepeatedCommand::Words() const
 {
   std::vector<std::string> words{ "pixelexact" };
   words.insert(words.end(), given.begin(), given.end());
-  // What follows "--" is no option.
+  // Words after "--" are not options.
   words.insert(std::ranges::find(words, "--"), chosen.begin(), chosen.end());
   return words;
 }

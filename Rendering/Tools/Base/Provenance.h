@@ -7,19 +7,19 @@
 
 namespace pixelexact
 {
-/// The words of a command line, and those that were chosen.
+/// The words of a command line, and the options that the program chose.
 struct RepeatedCommand
 {
   std::vector<std::string> given;
   std::vector<std::string> chosen;
 
-  /// That of the same picture.
+  /// The words of a command that makes the same picture.
   [[nodiscard]] std::vector<std::string> Words() const;
-  /// The same for a shell.
+  /// The same as text for a shell.
   [[nodiscard]] std::string Text() const;
 };
 
-/// What a picture's file says of itself: keys and texts.
+/// Keys and texts that describe a picture in its file.
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// The texts as lines, "Key: text".
@@ -27,7 +27,7 @@ std::string LinesOf(const PictureTexts& texts);
 
 /// A line for each file: its name, size and XXH3-64 hash. Throws Error for one that cannot be read.
 std::string DescribeFiles(const std::vector<std::string>& files);
-/// The same files, and those that they name: of collections (.pvd) and parallel files (.pvtu).
-/// Throws Error for one that cannot be read.
+/// The same files, and the files that collections (.pvd) and parallel files (.pvtu) name. Throws
+/// Error for one that cannot be read.
 std::vector<std::string> WithFilesBehind(const std::vector<std::string>& files);
 } // namespace pixelexact

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// What a command tells while it works and when it is done.
+// Messages and reports of commands.
 namespace pixelexact
 {
 /// Seconds by stage of the work, in the order in which the stages ended for the first time.
@@ -41,7 +41,7 @@ public:
   {
     Row(name, fmt::format(text, std::forward<Values>(values)...));
   }
-  /// On stdout, or on stderr, where stdout is a file's.
+  /// Prints to stdout, or to stderr where stdout is a file.
   void Print(bool onStderr = false) const;
 
 private:
@@ -51,16 +51,16 @@ private:
 void AddStages(Table& table, const Stopwatch& stopwatch);
 nlohmann::ordered_json ToJson(const Stopwatch& stopwatch);
 
-/// One line on stdout. NaN and infinity, which JSON does not know, become null, and bytes that are
-/// no UTF-8, which a name of an array or a file may hold, the replacement character.
+/// Prints one line to stdout. NaN and infinity, which JSON does not have, become null. Bytes that
+/// are not UTF-8, which names of arrays and files may contain, become the replacement character.
 void Print(const nlohmann::ordered_json& summary);
-/// The summary of what failed.
+/// Prints the summary of a failure.
 void PrintError(const std::string& message);
 
-/// Throws Error where something that was printed on stdout is lost, as on a full disk.
+/// Throws Error where output to stdout is lost, as on a full disk.
 void FlushOutput();
 
-/// Shows how far the work is, on stderr, when that is a terminal; clears its line when done.
+/// Shows progress on stderr if that is a terminal; clears its line when done.
 class ProgressLine
 {
 public:
@@ -69,7 +69,7 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// `part` from 0 to 1. Always true: nothing aborts.
+  /// `part` from 0 to 1. Always returns true: nothing aborts.
   bool operator()(double part);
 
 private:
@@ -78,16 +78,16 @@ private:
   int Shown = -1;
 };
 
-/// Whether tables and notes are left out from here on.
+/// Turns tables and notes off or on.
 void BeQuiet(bool quiet);
 
 void Warn(const std::string& message);
-/// Says on stderr what was chosen.
+/// Prints to stderr what the program chose.
 void Note(const std::string& message);
 
 /// "a, b, c"
 std::string Listed(const std::vector<std::string>& texts);
 
-/// As printf's %g with so many digits, with NaN as "nan".
+/// Formats as printf's %g with `digits` digits, with NaN as "nan".
 std::string Short(double number, int digits = 6);
 } // namespace pixelexact

@@ -7,7 +7,8 @@
 
 namespace pixelexact
 {
-/// The elements of one shape that a cell of a made mesh's lattice is cut into, and their maps.
+/// The elements of one shape into which a cell of a generated mesh's lattice is divided, and their
+/// maps.
 class BlockParts
 {
 public:
@@ -15,10 +16,11 @@ public:
   BlockParts(Shape shape, bool curved);
 
   [[nodiscard]] int PerCell() const { return static_cast<int>(OfCube.size()); }
-  /// From the values below to the coefficients of the map.
+  /// The change of basis from SourceValues to the coefficients of the map.
   [[nodiscard]] const ChangeOfBasis& ToModes() const { return Basis; }
 
-  /// What the map is in a part of the lattice's cell at `at`, of a lattice of `side` cells a side.
+  /// The map's values at the sources of element `part` in the lattice cell at `at`; the lattice has
+  /// `side` cells along each side.
   [[nodiscard]] std::vector<Vec3> SourceValues(int part, const Vec3& at, int side) const;
 
 private:

@@ -12,7 +12,7 @@
 
 namespace pixelexact
 {
-/// From its beginning on.
+/// Measures time from its construction on.
 class Timer
 {
 public:
@@ -26,19 +26,19 @@ private:
 };
 
 double Median(std::vector<double> values);
-/// Of each of as many times to its other.
+/// The ratios times[k] / others[k].
 std::vector<double> Ratios(const std::vector<double>& times, const std::vector<double>& others);
 
-/// What frames of a scene cost, beside the bare kernel on as many points. Frames and kernel take
-/// turns, so that a machine whose speed changes changes both.
+/// Times of a scene's frames and of the bare kernel on as many points. Frames and kernel alternate,
+/// so that changes of the machine's speed affect both.
 struct FrameTime
 {
   std::int64_t points = 0;     ///< located and evaluated in one frame
   std::vector<double> frames;  ///< seconds each, on all threads
-  std::vector<double> busy;    ///< seconds of processors for each frame, of all threads together
-  std::vector<double> kernels; ///< seconds of the kernel after each
+  std::vector<double> busy;    ///< processor seconds of each frame, over all threads
+  std::vector<double> kernels; ///< seconds of the kernel after each frame
   StageTimes stages{};         ///< of one more frame, with its stages timed, summed over threads
-  double staged = 0.0;         ///< seconds of that frame, colours and all
+  double staged = 0.0;         ///< seconds of that frame, colours included
   PrecisionCheck floatCheck{}; ///< of one frame
 
   [[nodiscard]] double Frame() const;
@@ -47,13 +47,14 @@ struct FrameTime
   [[nodiscard]] double Ratio() const;
 };
 
-/// `repeat` frames with a pipeline, after one that is not counted; `done` receives the part done.
+/// Measures `repeat` frames with a pipeline, after one that is not counted; `done` receives the
+/// progress from 0 to 1.
 FrameTime MeasureFrames(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   int repeat, const std::function<void(double)>& done);
 
-/// Seconds of each stage.
+/// The seconds of each stage.
 nlohmann::ordered_json ToJson(const StageTimes& stages);
-/// "inversion 61 %, evaluation 12 %, ...", of what all stages take, the largest first; stages below
-/// a percent are left out.
+/// Shares of the stages' total time, such as "inversion 61 %, evaluation 12 %, ...", the largest
+/// first. Stages below one percent are left out.
 std::string Shares(const StageTimes& stages);
 } // namespace pixelexact

@@ -7,28 +7,28 @@
 
 namespace pixelexact
 {
-/// What a made mesh is like.
+/// Properties of a generated mesh.
 struct BlockKind
 {
   Shape shape = Shape::Hexahedron;
-  /// False: the corners of a lattice moved by up to a tenth, maps of order 1. True: the lattice
-  /// bent by a polynomial of degree 3, maps of order 3.
+  /// False: the corners of a lattice are moved by up to a tenth, maps of order 1. True: the lattice
+  /// is bent by a polynomial of degree 3, maps of order 3.
   bool curved = false;
   int order = 3;       ///< of the field
-  int elements = 1000; ///< about as many
-  /// Of hexahedra: each eighth column of cells is made of prisms instead.
+  int elements = 1000; ///< approximate number
+  /// Whether every eighth column of hexahedra consists of prisms.
   bool mixed = false;
 };
 
-/// A cube of about side 2 around the origin, made of elements of one shape: a lattice of
-/// hexahedra, each cut in 2 prisms, 6 tetrahedra or 6 pyramids. Its field's modes are random, of
-/// magnitudes that fall with their degree: it costs what any field does.
+/// A cube of side about 2 around the origin, of elements of one shape: a lattice of hexahedra, each
+/// divided into 2 prisms, 6 tetrahedra or 6 pyramids. Its field's modes are random, with magnitudes
+/// that decrease with their degree, so that it costs as much as a solver's field.
 class MadeBlock
 {
 public:
   explicit MadeBlock(const BlockKind& kind);
 
-  /// Views of this object's arrays.
+  /// The returned mesh views this object's arrays.
   [[nodiscard]] Mesh GetMesh() const;
   [[nodiscard]] const Field& GetField() const { return field_; }
 

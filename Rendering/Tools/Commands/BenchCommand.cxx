@@ -39,11 +39,11 @@ struct BenchOptions
 struct Measured
 {
   FrameTime time;
-  FrameCounters first; ///< of the first frame, for which elements are bounded and trees grown
+  FrameCounters first; ///< of the first frame, which computes elements' bounds and trees
   std::optional<ContourTime> contours;
 };
 
-/// What made meshes have no use for.
+/// Refuses options that have no effect on generated meshes.
 void CheckWithoutInput(const CLI::App& command)
 {
   constexpr std::array<std::string_view, 7> kUsed{ "--size", "--repeat", "--elements", "--threads",
@@ -60,7 +60,7 @@ void CheckWithoutInput(const CLI::App& command)
 
 Measured Measure(const Shot& shot, const BenchOptions& options)
 {
-  // Tells the range, which is no part of a frame.
+  // The first frame determines the range and is not measured.
   const Frame first = Trace(ViewOf(options.shot.colors, &options.contours, shot), Buffer::None);
   ShotAppearance plain(options.shot.colors, nullptr, shot, first);
   const Pipeline pipeline = plain.GetPainter().MakePipeline();
@@ -81,7 +81,7 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
   return measured;
 }
 
-/// The paper's evaluation: of made meshes, and with an INPUT of that, too.
+/// Runs the paper's evaluation on generated meshes and, with an INPUT, on its data.
 void BenchPaper(const BenchOptions& options, const CommonOptions& common)
 {
   const bool hasInput = !options.shot.input.files.empty();

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What `info --certify` proves: ranges of the fields, of their gradients and of det J.
+// Results of `info --certify`: proven ranges of the fields, of their gradients and of det J.
 namespace pixelexact
 {
 struct LoadedModel;
@@ -37,12 +37,12 @@ struct CertifiedFacts
   double seconds = 0.0;
 };
 
-/// Of every field of the model. Parallel, with progress on stderr.
+/// Certifies every field of the model. Parallel, with progress on stderr.
 CertifiedFacts Certify(const LoadedModel& input);
 
 void AddTo(Table& table, const CertifiedFacts& facts);
-/// The members "jacobian" and "certify_seconds".
+/// Adds the members "jacobian" and "certify_seconds".
 void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts);
-/// A field's member "certified".
+/// Returns a field's member "certified".
 nlohmann::ordered_json ToJson(const CertifiedField& field);
 } // namespace pixelexact

@@ -48,7 +48,7 @@ struct CompareOptions
   QualityOptions quality;
 };
 
-/// Options of shots and contours that pictures of values have no use for.
+/// Refuses options of shots and contours that have no effect on pictures of values.
 void CheckOptions(const CompareOptions& options)
 {
   constexpr std::array<std::string_view, 19> kUnused{ "--precision", "--samples", "--lights",
@@ -80,7 +80,7 @@ void CheckOptions(const CompareOptions& options)
   }
 }
 
-/// The scene and its colours; the frame that told their range stays behind.
+/// Makes the scene and its colours. The frame that gives their range is not kept.
 TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
 {
   if (shot.scene.layers.front().field == nullptr)
@@ -196,7 +196,7 @@ TradeFacts FactsOf(const CompareOptions& options, const TradeScene& scene, const
   return facts;
 }
 
-/// Of a recommended linear setting; its name, empty where there is none.
+/// Writes the script of a recommended linear setting. Returns its name, empty where there is none.
 std::string WriteScript(const std::string& folder, const TradeScene& scene,
   const Recommendation& recommended, const std::vector<std::string>& files)
 {
@@ -302,7 +302,7 @@ void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& a
   options->trade.AddTo(command);
   options->difference.AddTo(command);
   options->quality.AddTo(command, options->shot);
-  // A difference is read against its bar.
+  // A picture of a difference needs its colour bar.
   options->difference.AskForFigure();
 }
 } // namespace pixelexact

@@ -28,7 +28,7 @@ namespace
 constexpr int kPlotWidth = 1100;
 constexpr int kPlotHeight = 720;
 
-/// The shot of the picture, which a figure is around.
+/// The options of the picture inside the figure.
 ShotOptions OfPicture(const ShotOptions& shot, const DifferenceOptions& difference)
 {
   ShotOptions asked = shot;
@@ -44,7 +44,7 @@ void RequireField(const Shot& shot)
   }
 }
 
-/// What a picture's file says of itself.
+/// The texts that describe a picture in its file.
 PictureTexts TextsOf(const Shot& shot, const InputRequest& first, const InputRequest& second,
   const DifferenceNumbers& numbers, const RepeatedCommand& command)
 {

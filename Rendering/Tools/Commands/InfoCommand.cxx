@@ -112,7 +112,7 @@ Facts Gather(const LoadedModel& input)
   return facts;
 }
 
-/// Of an element, of a plane mesh what its solid stands on.
+/// The name of an element's shape; in a plane mesh that of its plane shape.
 std::string NameOf(Shape shape, bool isPlane)
 {
   return isPlane ? PlaneName(shape) : Name(shape);

@@ -22,10 +22,10 @@ class App;
 
 namespace pixelexact
 {
-/// A surface that is integrated over.
+/// A surface of integration.
 struct IntegralSurface
 {
-  std::string name; ///< the option, and what it was given
+  std::string name; ///< the option and its value
   std::vector<SurfacePatch> patches{};
   vtkSmartPointer<vtkImplicitFunction> function{}; ///< for VTK's filters; null: they have none
   std::optional<IsoText> iso{};
@@ -39,14 +39,14 @@ class IntegralSurfaces
 public:
   void AddTo(CLI::App& command);
 
-  /// The first option given that VTK's filters have nothing for; empty: there is none.
+  /// The first given option for which VTK's filters have no surface; empty where there is none.
   [[nodiscard]] std::string NotLinear() const;
-  /// Whether one of them is made of a field.
+  /// Whether one of them is an iso-surface.
   [[nodiscard]] bool HasIsoSurfaces() const { return !Isos.empty(); }
-  /// What clips all of them.
+  /// The functions that clip all surfaces.
   [[nodiscard]] std::vector<ImplicitPolynomial> Clips() const;
-  /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface,
-  /// Error for files that are not of triangles.
+  /// Makes the surfaces in the mesh's box; without options the plane through the middle. Throws
+  /// UsageError when numbers describe no surface, Error for files that do not contain triangles.
   [[nodiscard]] std::vector<IntegralSurface> Make(const Box3& box) const;
 
 private:

@@ -42,7 +42,7 @@ struct IntegrateOptions
   }
 };
 
-/// One surface, and what was found.
+/// The results of one surface.
 struct Answer
 {
   std::string name;
@@ -84,7 +84,7 @@ Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Fie
   return answer;
 }
 
-/// What the linear pipeline gives for a quantity; none where it gives none.
+/// The linear pipeline's value of a quantity; none where it has none.
 std::optional<double> LinearOf(const Answer& answer, const std::string& quantity)
 {
   if (!answer.linear)
@@ -168,7 +168,7 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
       "--linear is for planes, quadrics, tori and boxes, whole; leave it out with " + other);
   }
   Stopwatch stopwatch;
-  // An iso-surface may be of another field than is integrated: then all of them.
+  // An iso-surface may belong to another field than the integrand; then all fields are loaded.
   const LoadedModel input = LoadModel(
     options.input, options.surfaces.HasIsoSurfaces() ? std::string() : options.field, stopwatch);
   WarnOfDiagnostics(input);

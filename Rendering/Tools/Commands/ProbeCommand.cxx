@@ -31,13 +31,14 @@ struct ProbeOptions
   InputRequest input;
   std::vector<std::string> fields; ///< none: the first one, where there is one
   std::string points;
-  std::vector<double> line; ///< from, to, and how many points; empty: those of a file
-  bool lineHasZ = true;     ///< else its z are 0 for now
+  std::vector<double> line; ///< from, to, and number of points; empty: points of a file
+  bool lineHasZ = true;     ///< false: z are set later, 0 until then
   std::string output = "-";
   ProbeColumns columns;
 };
 
-/// None where the input has none: points are located, too, and counted how often they are covered.
+/// The fields to evaluate; none where the input has none. Points are then only located and their
+/// coverage counted.
 std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const ProbeOptions& options)
 {
   if (!options.fields.empty())
@@ -61,7 +62,7 @@ std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const Probe
   return {};
 }
 
-/// Others would open the table as what its name says.
+/// Refuses names of other formats. Programs would open the table by its suffix.
 void CheckTableName(const std::string& file)
 {
   constexpr std::array kOtherFormats{ ".npy", ".npz", ".vtk", ".vtp", ".vtu", ".vti", ".json",
@@ -72,15 +73,15 @@ void CheckTableName(const std::string& file)
   }
 }
 
-/// In x0,y0,x1,y1,n.
+/// Number of commas in x0,y0,x1,y1,n.
 constexpr std::ptrdiff_t kPlaneCommas = 4;
 constexpr const char* kLineForm = "x0,y0,z0,x1,y1,z1,n";
 
-/// Points, and what they are if the mesh is no plane one.
+/// Points, and whether the user gave their z.
 struct GivenPoints
 {
   ProbePoints points;
-  PointTable table; ///< without the points; of a line its `hasZ` alone
+  PointTable table; ///< without the points; for a line only `hasZ` is set
 };
 
 GivenPoints PointsOf(const ProbeOptions& options)
@@ -98,7 +99,7 @@ GivenPoints PointsOf(const ProbeOptions& options)
   return given;
 }
 
-/// Points with x and y alone lie in the plane of a 2-D mesh.
+/// Moves points with x and y only to the plane of a 2-D mesh.
 void AddZ(const ProbeOptions& options, const LoadedModel& input, GivenPoints& given)
 {
   if (given.table.hasZ)
@@ -121,7 +122,7 @@ void AddZ(const ProbeOptions& options, const LoadedModel& input, GivenPoints& gi
   }
 }
 
-/// Of one field, and of nothing but places where there is none.
+/// Locates the points and evaluates each field. Without fields, one entry with locations only.
 std::vector<ProbedField> ProbeFields(const LoadedModel& input,
   const std::vector<const Field*>& fields, const ProbePoints& points, const ProbeColumns& columns)
 {
@@ -152,7 +153,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   CheckOutput("--output", options.output, read);
   CheckTableName(options.output);
   Stopwatch stopwatch;
-  // First what is quick and goes wrong often.
+  // Reads the points first, because this is fast and often fails.
   GivenPoints given = PointsOf(options);
   stopwatch.Stage("points");
   const LoadedModel input = LoadModel(
@@ -181,7 +182,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   PrintTable(input, fields, probed, options.columns, stopwatch, IsStandardStream(options.output));
 }
 
-/// Six coordinates and a number of points, or four in a plane, whose z become 0.
+/// Reads six coordinates and a number of points, or four in a plane, whose z become 0.
 std::vector<double> ReadLine(const std::string& text)
 {
   constexpr double kMax = 1e9;

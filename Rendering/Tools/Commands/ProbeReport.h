@@ -5,18 +5,18 @@
 
 #include <vector>
 
-// What probe tells of all of its points.
+// Reports of `probe` over all of its points.
 namespace pixelexact
 {
 class Stopwatch;
 struct Field;
 struct LoadedModel;
 
-/// On stdout. `fields`: those that were probed, none where the input has none; `probed`: at least
-/// one.
+/// Prints JSON to stdout. `fields`: the evaluated fields, none where the input has none; `probed`:
+/// at least one.
 void PrintJson(const LoadedModel& input, const std::vector<const Field*>& fields,
   const std::vector<ProbedField>& probed, const ProbeColumns& columns, const Stopwatch& stopwatch);
-/// The same on stdout or, where stdout is a file's, on stderr.
+/// Prints the same as a table to stdout or, where stdout is a file, to stderr.
 void PrintTable(const LoadedModel& input, const std::vector<const Field*>& fields,
   const std::vector<ProbedField>& probed, const ProbeColumns& columns, const Stopwatch& stopwatch,
   bool onStderr);

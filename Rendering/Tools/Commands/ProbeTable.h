@@ -13,7 +13,7 @@
 
 namespace pixelexact
 {
-/// What `probe` is to find beside the values.
+/// Columns of `probe` in addition to values.
 struct ProbeColumns
 {
   bool gradient = false;
@@ -21,10 +21,10 @@ struct ProbeColumns
   bool owners = false;
 };
 
-/// Where each point lies and what the field is there.
+/// The location of each point and the field's values there.
 struct ProbeSamples
 {
-  /// `componentCount`: of the field; 0: there is none.
+  /// `componentCount`: of the field; 0: there is no field.
   ProbeSamples(std::size_t points, int componentCount, const ProbeColumns& columns)
     : components(static_cast<std::size_t>(componentCount))
     , element(points)
@@ -53,24 +53,24 @@ struct ProbeSamples
   std::vector<Owners> owners;
 };
 
-/// Where fields are probed.
+/// The points of a `probe`.
 struct ProbePoints
 {
   std::vector<Vec3> x;
-  std::vector<double> distance; ///< from the first one, along a line; empty: they are on none
+  std::vector<double> distance; ///< from the first one, along a line; empty: not on a line
 };
 /// `count` points, evenly spaced, the first and the last at the line's ends.
 ProbePoints PointsOnLine(const Vec3& from, const Vec3& to, int count);
 
-/// What was found of a field.
+/// The results of a field.
 struct ProbedField
 {
   std::string name; ///< of its columns: "value" where there is but one
   ProbeSamples samples;
 };
 
-/// Writes a row per point; places and coverage are those of the first of the fields, which are at
-/// least one. Throws Error naming the file.
+/// Writes a row per point. Locations and coverage are those of the first field; there must be at
+/// least one entry. Throws Error naming the file.
 void WriteProbeTable(const std::string& file, const ProbePoints& points,
   std::span<const ProbedField> fields, std::span<const std::int64_t> sourceCells);
 
@@ -83,17 +83,17 @@ struct ProbeCounts
 };
 ProbeCounts CountProbes(const ProbeSamples& samples);
 
-/// Widths of the enclosures of points inside, by the range of the values that were found, component
-/// by component; NaN where there are none, or no range.
+/// Widths of the enclosures of points inside, relative to the range of the values, component by
+/// component; NaN where there are no values or no range.
 struct EnclosureWidths
 {
   double median = std::numeric_limits<double>::quiet_NaN();
   double largest = std::numeric_limits<double>::quiet_NaN(); ///< of the bounded ones
-  std::size_t unbounded = 0; ///< enclosures that say nothing, not among the widths
+  std::size_t unbounded = 0; ///< infinite enclosures, which are not among the widths
 };
 EnclosureWidths MeasureEnclosures(const ProbeSamples& samples);
 
-/// Points by coverage, indexed by Coverage.
+/// Numbers of points, indexed by Coverage.
 using CoverageCounts = std::array<std::size_t, 4>;
 CoverageCounts CountCoverage(const ProbeSamples& samples);
 } // namespace pixelexact

@@ -21,7 +21,7 @@ namespace
 using Pattern = std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)>;
 using Letters = std::unique_ptr<FcCharSet, decltype(&FcCharSetDestroy)>;
 
-/// Of valid UTF-8.
+/// The letters of a text, which must be valid UTF-8.
 Letters LettersOf(const std::string& text)
 {
   Letters letters(FcCharSetCreate(), &FcCharSetDestroy);
@@ -51,8 +51,8 @@ bool HasLetters(FcPattern* font, const Letters& letters)
 
 void WarnOfMissing(const std::string& text)
 {
-  static std::set<std::string> told;
-  if (!told.insert(text).second)
+  static std::set<std::string> warned;
+  if (!warned.insert(text).second)
   {
     return;
   }
@@ -113,7 +113,7 @@ FontChoice FontWithLetters(const std::string& text, const FontChoice& asked)
 
 namespace
 {
-/// Never freed, as cairo's cache of fonts is not.
+/// The library is never freed, because cairo's cache of fonts is not freed.
 FT_Library Library()
 {
   static const FT_Library kLibrary = []
@@ -139,7 +139,7 @@ cairo_font_face_t* MakeFace(const FontChoice& font)
     throw Error("--font: '" + font.file + "' cannot be read");
   }
   cairo_font_face_t* made = cairo_ft_font_face_create_for_ft_face(face, 0);
-  // cairo keeps fonts in a cache of its own: the face ends with what is there.
+  // cairo caches font faces, so FreeType's face is freed with the cache entry.
   static const cairo_user_data_key_t kKey{};
   cairo_font_face_set_user_data(
     made, &kKey, face, [](void* of) { FT_Done_Face(static_cast<FT_Face>(of)); });
@@ -182,7 +182,7 @@ double CairoFonts::WidthOf(cairo_t* context, const std::string& text)
 void CairoFonts::Write(cairo_t* context, const std::string& text, double left, double y)
 {
   Set(context, text);
-  // All texts of a column have one line.
+  // All texts of a column share one base line.
   cairo_text_extents_t digit;
   cairo_text_extents(context, "0", &digit);
   cairo_move_to(context, left, y + 0.5 * digit.height);

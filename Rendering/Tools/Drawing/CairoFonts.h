@@ -12,16 +12,17 @@ namespace pixelexact
 {
 [[nodiscard]] bool IsAscii(const std::string& text);
 
-/// A text as UTF-8; bytes that are none, which names of files and arrays may hold, become U+FFFD.
+/// A text as UTF-8. Bytes that are not UTF-8, which names of files and arrays may contain, become
+/// U+FFFD.
 std::string ValidUtf8(const std::string& text);
 
-/// The font that a text is written in: the one that was asked for, or, where that is one by name
-/// and the text has letters beyond ASCII, the nearest file with these that fontconfig knows. Warns
-/// once of a text with letters that the font lacks.
+/// The font of a text: `asked`, or, where that is given by family and the text has letters beyond
+/// ASCII, the nearest font file of fontconfig with these letters. Warns once about a text with
+/// letters that the font lacks.
 FontChoice FontWithLetters(const std::string& text, const FontChoice& asked);
 
-/// Fonts of cairo for texts: what fontconfig has for Arial and Times New Roman, or a file; of
-/// letters that these lack see FontWithLetters. Texts are valid UTF-8.
+/// Cairo's fonts for texts: fontconfig's fonts for Arial and Times New Roman, or a file. For
+/// letters that these lack see FontWithLetters. Texts must be valid UTF-8.
 class CairoFonts
 {
 public:
@@ -32,9 +33,9 @@ public:
 
   /// Sets the font of a text. Throws Error where its file cannot be read.
   void Set(cairo_t* context, const std::string& text);
-  /// Sets it, and tells the text's width.
+  /// Sets the font of a text and returns the text's width.
   [[nodiscard]] double WidthOf(cairo_t* context, const std::string& text);
-  /// Writes a text from the left; up and down `y`, from above, is the middle of digits.
+  /// Writes a text from `left`. `y`, measured from above, is the middle of digits.
   void Write(cairo_t* context, const std::string& text, double left, double y);
 
 private:

@@ -18,7 +18,7 @@ namespace pixelexact
 /// A point in pixels from the lower left.
 using CanvasPoint = std::array<double, 2>;
 
-/// A picture on which a figure is drawn, in pixels. What leaves it is cut off.
+/// A picture on which a figure is drawn, in pixels. Parts outside of it are clipped.
 class Canvas
 {
 public:
@@ -27,17 +27,17 @@ public:
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// In the lower left corner.
+  /// Puts a picture into the lower left corner.
   virtual void Place(const Image& picture) = 0;
   virtual void Fill(int x, int y, int width, int height, const Rgba& color) = 0;
-  /// Through all points, with smooth borders and round ends.
+  /// Draws a line through all points, with anti-aliasing and round ends.
   virtual void Line(std::span<const CanvasPoint> points, double width, const Rgba& color) = 0;
   virtual void Write(
     const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color) = 0;
   [[nodiscard]] virtual double WidthOf(const std::string& text) = 0;
 
   void Line(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color);
-  /// The outline of what Fill fills, a pixel wide and around it.
+  /// Draws an outline, one pixel wide, around the rectangle of Fill.
   void Frame(int x, int y, int width, int height, const Rgba& color);
 };
 
@@ -45,7 +45,7 @@ public:
 class RasterCanvas final : public Canvas
 {
 public:
-  /// Transparent where the background is.
+  /// The canvas is transparent where the background is.
   RasterCanvas(int width, int height, const Rgba& background, int fontSize, const FontChoice& font);
 
   using Canvas::Line;
@@ -56,13 +56,13 @@ public:
     const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color) override;
   [[nodiscard]] double WidthOf(const std::string& text) override;
 
-  /// Of four channels where the background is transparent.
+  /// The picture; four channels where the background is transparent.
   [[nodiscard]] Image Picture() const;
 
 private:
   [[nodiscard]] std::uint8_t* At(int x, int y);
   void Segment(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color);
-  /// A text with letters beyond ASCII.
+  /// Writes a text with letters beyond ASCII.
   void WriteLetters(
     const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color);
 
@@ -71,7 +71,7 @@ private:
   bool Transparent;
   std::vector<std::uint8_t> Colors;
   int FontSize;
-  TextImages Texts;   ///< of VTK's fonts, which hold ASCII
-  CairoFonts Letters; ///< for what is more
+  TextImages Texts;   ///< for ASCII, with VTK's fonts
+  CairoFonts Letters; ///< for other letters
 };
 } // namespace pixelexact

@@ -18,23 +18,24 @@ enum class PictureFormat
   Pdf
 };
 
-/// By the suffix of its name; standard output gets a PNG. Throws UsageError for another suffix.
+/// The format by the suffix of the file's name; standard output gets a PNG. Throws UsageError for
+/// another suffix.
 PictureFormat FormatOf(const char* option, const std::string& file);
-/// Whether lines and letters stay what they are.
+/// Whether the format keeps lines and letters as vectors.
 bool IsVector(PictureFormat format);
 /// Whether pixels may be transparent.
 bool HasAlpha(PictureFormat format);
 
-/// What a picture's file says of itself, beside the program that made it.
+/// Metadata of a picture's file, in addition to the program's name.
 struct PictureFacts
 {
-  std::optional<double> dpi; ///< pixels in an inch; none: not told
+  std::optional<double> dpi; ///< pixels in an inch; none: not stored
   PictureTexts texts;
   int jpegQuality = 95; ///< 1 to 100
 };
 
-/// The bytes of a PNG, TIFF or JPEG. PNG and TIFF keep every pixel as it is; JPEG
-/// does not, and has no alpha. `file`: for messages. Throws Error where it cannot be made.
+/// The bytes of a PNG, TIFF or JPEG. PNG and TIFF are lossless; JPEG is not, and has no alpha.
+/// `file`: for messages. Throws Error where encoding fails.
 std::string EncodeImage(
   const Image& image, PictureFormat format, const PictureFacts& facts, const std::string& file);
 } // namespace pixelexact

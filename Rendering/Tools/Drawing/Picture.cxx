@@ -24,7 +24,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Throws Error where a writer could not make the file's content.
+/// Throws Error where a writer fails to encode the file.
 template <class Writer>
 void Encode(Writer& writer, const std::string& file, vtkDataObject* data)
 {
@@ -37,8 +37,9 @@ void Encode(Writer& writer, const std::string& file, vtkDataObject* data)
   }
 }
 
-/// Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
-/// expat. Higher levels take longer for some percent less. A header of 32 bits would end at 4 GB.
+/// Data are inline, not appended: ParaView 5.11 of Debian 12 cannot read appended data with the
+/// newest expat. Higher levels of compression take longer and save a few percent. A header of 32
+/// bits would limit data to 4 GB.
 void SetFormat(vtkXMLWriter& writer)
 {
   writer.SetDataModeToBinary();
@@ -47,7 +48,7 @@ void SetFormat(vtkXMLWriter& writer)
   writer.SetHeaderTypeToUInt64();
 }
 
-/// All arrays but these go; empty: none does.
+/// Removes all arrays except these; keeps all where `arrays` is empty.
 void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
 {
   for (int i = data.GetNumberOfArrays(); i-- > 0 && !arrays.empty();)
@@ -59,8 +60,8 @@ void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
   }
 }
 
-/// Vectors that are all NaN have no length. VTK's writers would tell one, as a text that its
-/// readers complain of.
+/// Sets an empty range of lengths for vectors whose values are all NaN. VTK's writers would store
+/// it as a text that VTK's readers warn about.
 void NameEmptyRanges(vtkPointData& data)
 {
   for (int i = 0; i < data.GetNumberOfArrays(); ++i)

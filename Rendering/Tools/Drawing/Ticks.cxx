@@ -11,11 +11,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a step, up to which a value counts as an end of the range.
+/// Tolerance, relative to a step, within which a value counts as an end of the range.
 constexpr double kRounding = 1e-9;
 constexpr int kMaxDigits = 17;
 
-/// In as few digits as tell them apart.
+/// Ticks in the fewest digits that distinguish them and reproduce the values.
 std::vector<Tick> Written(const std::vector<double>& values)
 {
   std::vector<Tick> ticks;
@@ -54,9 +54,9 @@ std::vector<double> Linear(const std::array<double, 2>& range, int most)
         std::vector<double> values;
         for (double i = first; i <= last; ++i)
         {
-          // Not i * step, which is 0.30000000000000004 where 0.3 is meant.
+          // i * step would give 0.30000000000000004 instead of 0.3.
           const double value = unit < 1.0 ? i * factor / std::round(1.0 / unit) : i * step;
-          // No -0.
+          // Adding 0 turns -0 into 0.
           values.push_back(std::clamp(value, range[0], range[1]) + 0.0);
         }
         return values;
@@ -109,7 +109,7 @@ std::vector<Tick> TicksOfBands(
   const double length = range[1] - range[0];
   for (double& value : values)
   {
-    // 0, where it is one.
+    // Replaces a rounding error about zero by 0.
     value = !logarithm && std::fabs(value) < kRounding * length ? 0.0 : value;
   }
   constexpr int kFewestDigits = 3;

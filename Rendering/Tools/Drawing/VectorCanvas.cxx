@@ -28,7 +28,7 @@ cairo_status_t Append(void* closure, const unsigned char* data, unsigned int len
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// Behind the first tag of an SVG.
+/// Inserts a description after the first tag of an SVG.
 void AddDescription(const std::string& text, std::string& svg)
 {
   pugi::xml_document document;
@@ -74,7 +74,7 @@ VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double d
   With->surface = create(&Append, &With->bytes, width * point, height * point);
   if (format != PictureFormat::Pdf)
   {
-    // Cairo 1.18 would leave the unit to who shows the file.
+    // Without a unit, cairo 1.18 leaves the size to the viewer.
     cairo_svg_surface_set_document_unit(With->surface, CAIRO_SVG_UNIT_PT);
   }
   With->context = cairo_create(With->surface);
@@ -100,7 +100,7 @@ VectorCanvas::~VectorCanvas()
 
 void VectorCanvas::Place(const Image& picture)
 {
-  // Of premultiplied alpha, in the machine's order of bytes, from above.
+  // Cairo needs premultiplied alpha, native byte order, and rows from the top.
   const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_ARGB32, picture.width);
   std::vector<unsigned char> pixels(
     static_cast<std::size_t>(stride) * static_cast<std::size_t>(picture.height));
@@ -119,10 +119,10 @@ void VectorCanvas::Place(const Image& picture)
   cairo_surface_t* image = cairo_image_surface_create_for_data(
     pixels.data(), CAIRO_FORMAT_ARGB32, picture.width, picture.height, stride);
   cairo_set_source_surface(With->context, image, 0.0, With->height - picture.height);
-  // Pixels stay squares.
+  // Keeps pixels as sharp squares.
   cairo_pattern_set_filter(cairo_get_source(With->context), CAIRO_FILTER_NEAREST);
   cairo_paint(With->context);
-  // Now, because the pixels end here.
+  // Flushes now, because the pixels are freed after this block.
   cairo_surface_flush(With->surface);
   cairo_set_source_rgb(With->context, 0.0, 0.0, 0.0);
   cairo_surface_finish(image);
@@ -133,7 +133,7 @@ void VectorCanvas::Fill(int x, int y, int width, int height, const Rgba& color)
 {
   With->SetColor(color);
   cairo_rectangle(With->context, x, With->height - y - height, width, height);
-  // Rows of a bar must not let the background through between them.
+  // Without anti-aliasing no background shows between the rows of a bar.
   cairo_set_antialias(With->context, CAIRO_ANTIALIAS_NONE);
   cairo_fill(With->context);
   cairo_set_antialias(With->context, CAIRO_ANTIALIAS_DEFAULT);
@@ -149,7 +149,7 @@ void VectorCanvas::Line(std::span<const CanvasPoint> points, double width, const
   cairo_set_line_width(With->context, width);
   cairo_set_line_cap(With->context, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(With->context, CAIRO_LINE_JOIN_ROUND);
-  // Not from where a text ended.
+  // Starts a new path instead of continuing after the last text.
   cairo_new_path(With->context);
   for (const CanvasPoint& point : points)
   {

@@ -59,7 +59,7 @@ Video::Video(const std::string& file, int width, int height, double framesPerSec
   std::vector<std::string> words{ kProgram, "-nostdin", "-hide_banner", "-loglevel", "error", "-y",
     "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", fmt::format("{}x{}", width, height), "-r",
     fmt::format("{}", framesPerSecond), "-i", "pipe:0", "-vf",
-    // These codecs halve the resolution of colours.
+    // These codecs have half the resolution for colours, so sides must be even.
     "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-c:v" };
   const std::vector<std::string> codec = webm
     ? std::vector<std::string>{ "libvpx-vp9", "-crf", "24", "-b:v", "0" }
@@ -79,7 +79,7 @@ Video::Video(const std::string& file, int width, int height, double framesPerSec
   {
     throw Error("cannot write '" + File + "': there is no pipe to ffmpeg");
   }
-  // A write to an ffmpeg that ended is an error here, and not the end of this program.
+  // Without this, a write to an ffmpeg that ended would end this program.
   std::signal(SIGPIPE, SIG_IGN);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

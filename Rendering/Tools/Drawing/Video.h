@@ -8,31 +8,31 @@
 
 namespace pixelexact
 {
-/// A video that ffmpeg, a program of its own, makes of pictures as they come: H.264 (.mp4) or VP9
-/// (.webm), with colours at half the resolution and an even number of pixels.
+/// A video that the program ffmpeg encodes from pictures as they are added: H.264 (.mp4) or VP9
+/// (.webm), with colours at half the resolution and even numbers of pixels.
 class Video
 {
 public:
   /// Throws Error where there is no ffmpeg.
   static void RequireProgram();
 
-  /// The file is there when the video is whole. Throws Error as RequireProgram.
+  /// The file appears when the video is complete. Throws Error as RequireProgram.
   Video(const std::string& file, int width, int height, double framesPerSecond);
   ~Video();
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
 
-  /// Of three channels. Throws Error where ffmpeg takes no more.
+  /// Adds a picture of three channels. Throws Error where ffmpeg accepts no more.
   void Add(const Image& picture);
   /// Throws Error where ffmpeg failed.
   void Close();
 
 private:
-  /// What ffmpeg told; empty: nothing.
+  /// Closes the pipe and waits for ffmpeg. Returns its exit status, -1 where it did not exit.
   int Wait();
 
   std::string File;
-  std::string Beside; ///< while it is made
+  std::string Beside; ///< temporary file until the video is complete
   int Process = -1;
   std::FILE* Pipe = nullptr;
 };

@@ -31,18 +31,18 @@ namespace pixelexact
 {
 namespace
 {
-/// What the arrays of one name in all blocks have in common.
+/// Properties of the arrays with the same name in all blocks.
 struct CommonArray
 {
   int components = 0;
   int blocks = 0;
-  bool isAlike = true;   ///< in components
-  bool isOneType = true; ///< of numbers
+  bool isAlike = true;   ///< all have the same number of components
+  bool isOneType = true; ///< all have the same type of numbers
   int type = 0;
 };
 
-/// Makes the blocks' numeric arrays the same: NaN where a block has none of that name, doubles
-/// where types differ. Those with different numbers of components are taken away. Both are noted.
+/// Makes the blocks' numeric arrays the same: NaN where a block has no array of that name, doubles
+/// where types differ. Removes arrays with different numbers of components. Both are noted.
 void MakeAlike(std::span<vtkDataSetAttributes* const> blocks, std::span<const vtkIdType> sizes,
   const std::string& file, std::vector<std::string>& notes)
 {

@@ -65,7 +65,7 @@ private:
   {
     CannotRead(Path,
       std::string("the CGNS library says: ") + cg_get_error() +
-        "; it is damaged or of another version: copy it anew, or write it with the library's own "
+        "; it is damaged or of another version: copy it again, or write it with the library's own "
         "tools (cgnsconvert)");
   }
 
@@ -77,7 +77,7 @@ private:
     }
   }
 
-  /// Numbers that no zone has are told of, and no reason to refuse a mesh that is sound.
+  /// Thrown for numbers that the zone does not have. They are noted, but the mesh is still read.
   struct Contradiction
   {
   };
@@ -121,7 +121,7 @@ private:
       Require(answer == CgnsAnswer::Failed ? CG_ERROR : CG_OK);
       if (answer == CgnsAnswer::Contradictory)
       {
-        sections.sides.clear(); // conditions that need them are left out, and told
+        sections.sides.clear(); // notes name the conditions that need them
       }
     }
     zone.elements = std::move(sections.types);
@@ -233,7 +233,7 @@ private:
     const auto add = [&](const auto& side) { boundary.faces.push_back(side.second); };
     if (isRange)
     {
-      // Of a range those that are there, without going through all of it.
+      // Visits the sides that exist in the range, without going through all of its numbers.
       std::for_each(Sides.lower_bound(std::min(numbers[0], numbers[1])),
         Sides.upper_bound(std::max(numbers[0], numbers[1])), add);
     }

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// Counts in a file above this are refused.
+/// Largest count in a file that is accepted.
 inline constexpr std::int64_t kMaxCgnsCount = std::numeric_limits<std::int32_t>::max();
 
 /// A boundary condition on a zone, in the zone's points, counted from 0.
@@ -19,9 +19,9 @@ struct CgnsBoundary
   /// The corners of a face of a solid, or of a plane element's edge; -1 where there are fewer.
   using Face = std::array<std::int64_t, 4>;
 
-  std::string name; ///< the condition's own, or that of the family that it refers to
+  std::string name; ///< the condition's own, or that of the family to which it refers
   std::vector<Face> faces;
-  std::vector<std::int64_t> points; ///< where it is given by points: faces with all corners here
+  std::vector<std::int64_t> points; ///< where given by points: faces with all corners here
 };
 
 struct CgnsZone
@@ -33,7 +33,7 @@ struct CgnsZone
   std::vector<std::string> left; ///< names of conditions that are not read, or contradict the zone
 };
 
-/// What the CGNS library tells of a file's boundary conditions: the zones of all bases, in their
+/// Reads a file's boundary conditions with the CGNS library: the zones of all bases, in their
 /// order. Throws Error, naming the file, where the library cannot read it.
 std::vector<CgnsZone> ReadCgnsZones(const std::string& file);
 } // namespace pixelexact

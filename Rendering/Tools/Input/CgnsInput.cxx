@@ -26,9 +26,9 @@ namespace pixelexact
 {
 namespace
 {
-/// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but its reader of CGNS follows
-/// from 9.5 on. Until then it also puts the nodes inside a wedge's third quadrilateral from the
-/// third corner to the first; VTK's wedges have them the other way round.
+/// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but its CGNS reader uses the new
+/// order only since 9.5. Before 9.5 it also orders the nodes inside a wedge's third quadrilateral
+/// from the third corner to the first, opposite to VTK's wedges.
 constexpr bool kHasOldOrder = VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 5;
 constexpr int kCubicPoints = 64;
 constexpr int kCubicTetrahedronPoints = 20;
@@ -37,7 +37,7 @@ constexpr int kCubicWedgePoints = 40;
 constexpr int kThirdSquare = 34;   ///< of a cubic wedge, with four nodes
 constexpr int kPyramidPoints = 14; ///< of PYRA_14, which VTK's reader makes a cell of 13 nodes
 
-/// Exchanges `count` nodes with as many behind them, in all cells of a kind.
+/// Swaps `count` nodes from `first` on with the next `count`, in all cells of a type.
 void ExchangeNodes(vtkUnstructuredGrid& grid, int type, vtkIdType size, int first, int count)
 {
   vtkCellArray& cells = *grid.GetCells();
@@ -68,7 +68,7 @@ void MendCubicCells(vtkUnstructuredGrid& grid)
   }
 }
 
-/// VTK's reader makes empty cells of elements that it does not know, and invalid ones of PYRA_14.
+/// VTK's reader turns unknown elements into empty cells, and PYRA_14 into invalid ones.
 void RefuseUnknownElements(
   vtkUnstructuredGrid& grid, const std::vector<CgnsZone>& zones, const std::string& file)
 {
@@ -130,7 +130,7 @@ InputGrid ReadHere(const InputRequest& request)
     {
       CannotRead(file,
         "VTK's reader says: " + error +
-          "; write the file anew with its solver or the CGNS library, or in another format");
+          "; write the file again with its solver or the CGNS library, or in another format");
     }
   };
   vtkNew<vtkCGNSReader> reader;

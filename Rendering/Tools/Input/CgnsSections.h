@@ -7,11 +7,11 @@
 
 namespace pixelexact
 {
-/// The elements of an unstructured zone, as far as its boundary conditions need them.
+/// The data of an unstructured zone's elements that its boundary conditions need.
 struct CgnsSections
 {
-  std::set<std::string> types; ///< the names of all, "HEXA_27"
-  /// Those that may be sides of others, by their numbers.
+  std::set<std::string> types; ///< the names of all types, "HEXA_27"
+  /// Elements that may be sides of others, by their numbers.
   std::map<std::int64_t, CgnsBoundary::Face> sides;
 };
 
@@ -22,7 +22,7 @@ enum class CgnsAnswer : std::uint8_t
   Failed         ///< the library could not read it
 };
 
-/// Of a zone of the library's open file, with so many points.
+/// Reads the sections of a zone with `points` points in the library's open file.
 CgnsAnswer ReadCgnsSections(
   int file, int base, int zone, std::int64_t points, bool wantSides, CgnsSections& sections);
 } // namespace pixelexact

@@ -8,9 +8,9 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// Makes boundary conditions attributes of the grid's faces, numbered from 1 as their names first
-/// occur (SourceArrays.h). `grid` is JoinBlocks of `read`. What names no face of a cell is told in
-/// a note.
+/// Turns boundary conditions into attributes of the grid's faces, numbered from 1 in the order in
+/// which their names first occur (SourceArrays.h). `grid` is JoinBlocks of `read`. Notes state
+/// which conditions match no face of a cell.
 void AddBoundaryConditions(const std::vector<CgnsZone>& zones, vtkMultiBlockDataSet& read,
   vtkUnstructuredGrid& grid, std::vector<std::string>& notes);
 } // namespace pixelexact

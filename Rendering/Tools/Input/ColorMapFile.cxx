@@ -134,7 +134,7 @@ void SetSpace(const std::string& file, const std::string& space, vtkColorTransfe
   }
   else if (space == "HSV" || space == "HSVNoWrap")
   {
-    // As ParaView, unless it is told to.
+    // ParaView does not wrap hues by default.
     colors.SetColorSpaceToHSV();
     colors.HSVWrapOff();
   }

@@ -26,17 +26,17 @@ namespace pixelexact
 {
 namespace
 {
-/// Null where no format has the suffix.
+/// The format with this suffix; null where there is none.
 const Format* FindFormat(std::string suffix)
 {
-  // Pieces of MFEM's parallel runs have a number for a suffix.
+  // Pieces of MFEM's parallel runs have a number as suffix.
   suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
   const std::span<const Format> formats = Formats();
   const auto format = std::ranges::find(formats, suffix, &Format::suffix);
   return format == formats.end() ? nullptr : &*format;
 }
 
-/// What the operating system can tell before a reader guesses.
+/// Checks that a file exists and may be read, before a reader opens it.
 void CheckFile(const std::string& file)
 {
   std::error_code failure;
@@ -77,7 +77,8 @@ void CheckFile(const std::string& file)
   }
 }
 
-/// Of "x.mesh.gz" that of the mesh, of "x.e-s002" and "x.e.4.0" that of an Exodus file.
+/// The suffix of the format: that of the mesh for "x.mesh.gz", and ".e" for "x.e-s002" and
+/// "x.e.4.0".
 std::string SuffixOf(const std::string& file)
 {
   if (IsExodusPart(file))
@@ -88,7 +89,7 @@ std::string SuffixOf(const std::string& file)
   return suffix == ".gz" ? LowerSuffix(file.substr(0, file.size() - suffix.size())) : suffix;
 }
 
-/// What stands beside the mesh may be meant for an option, or be another mesh.
+/// Refuses further files that belong to an option or are another mesh.
 void CheckCompanions(const std::vector<std::string>& files, const Format& format)
 {
   for (std::size_t i = 1; i < files.size(); ++i)
@@ -160,7 +161,7 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
     return 0;
   }
   const double time = *request.time;
-  // As printed, a time may be a little beyond.
+  // A time that was printed may be slightly outside of the range.
   const double slack = 1e-5 * std::max(std::abs(times.front()), std::abs(times.back()));
   if (time < times.front() - slack || time > times.back() + slack)
   {
@@ -173,7 +174,7 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
 
 namespace
 {
-/// The suffixes of mesh files, with commas between them.
+/// The suffixes of mesh files, separated by commas.
 std::string InputSuffixes()
 {
   std::string suffixes;
@@ -187,7 +188,7 @@ std::string InputSuffixes()
   return suffixes;
 }
 
-/// All but the look at what was read.
+/// Reads the input without checking the result.
 InputGrid Read(const InputRequest& request)
 {
   const std::string& first = request.files[0];
@@ -211,7 +212,7 @@ InputGrid Read(const InputRequest& request)
   }
   catch (const std::bad_alloc&)
   {
-    // A damaged header asks for any amount; so does a file that is too large.
+    // A damaged header may request any amount of memory, and so does a file that is too large.
     CannotRead(first, "it asks for more memory than there is");
   }
 }

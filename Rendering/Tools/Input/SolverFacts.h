@@ -15,7 +15,7 @@ namespace pixelexact
 class HighOrderModel;
 class Table;
 
-/// What a solver's own file tells beside mesh and coefficients.
+/// Data of a solver's own file in addition to mesh and coefficients.
 struct SolverFacts
 {
   struct Group
@@ -31,7 +31,7 @@ struct SolverFacts
 
 SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid, const HighOrderModel& model);
 
-/// The basis that the solver's file names for a field; empty where it does not.
+/// The basis that the solver's file names for a field; empty where it names none.
 std::string BasisOf(vtkUnstructuredGrid& grid, const std::string& field);
 
 void AddTo(Table& table, const SolverFacts& facts);

@@ -34,7 +34,7 @@ constexpr const char* kPictureNames =
   "cut_%04d.png, cut_{frame}.png or cut_{step}.png, or name a video, .mp4 or .webm";
 constexpr const char* kBufferNames = "cut_%04d.vti or cut_{frame}.vti";
 
-/// What was done.
+/// The pictures that were written.
 struct Done
 {
   std::vector<std::string> files;
@@ -69,7 +69,7 @@ void RequireDifferent(
   }
 }
 
-/// The files of --buffers; none where they were not asked for.
+/// The files of --buffers; none where the option is not given.
 class BufferFiles
 {
 public:
@@ -147,7 +147,7 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
     watch.Stage("rays");
     const DrawnShot drawn(options, shot, std::move(traced), IsVector(FormatOf("--output", file)));
     watch.Stage("colours");
-    // Before the picture, which tells --resume that both are there.
+    // Buffers are written first, so that a complete picture shows --resume that both exist.
     buffers.Write(frame, shot, drawn, watch);
     WriteAtOnce(file,
       EncodePicture(options, drawn, file, { common.words, shot.chosen }, watch,

@@ -7,9 +7,9 @@ struct CommonOptions;
 struct RenderOptions;
 
 /// Renders the pictures of an animation: numbered files, or a video. Mesh, bounds and trees are
-/// kept from picture to picture; another time step is read, and shares them where its mesh is the
-/// same. A numbered picture is there whole or not at all, and tells of what it was made
-/// (`Provenance`), so that --resume knows it again. With --range all the pictures are traced twice,
-/// first for their values. Throws as render.
+/// kept between pictures. Another time step is read, and shares them where its mesh is the same. A
+/// numbered picture is written completely or not at all. Its text `Provenance` identifies its
+/// sources, so that --resume recognises it. With --range all the pictures are traced twice, first
+/// for their values. Throws as render.
 void RenderAnimation(RenderOptions options, const CommonOptions& common);
 } // namespace pixelexact

@@ -18,10 +18,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a pixel.
+/// Tolerance of paths, in pixels.
 constexpr double kExactness = 0.1;
 
-/// The smallest length of a pixel in the mesh's box.
+/// The smallest length in the mesh's box that a pixel covers.
 double SmallestPixel(const Projection& projection, const CameraView& view, const Box3& box)
 {
   const Vec3 nearest = glm::clamp(view.position, box.lower, box.upper);
@@ -59,7 +59,7 @@ std::optional<std::vector<ContourPath>> PathsOfContours(
       const auto seen = projection.Of(set.vertices[static_cast<std::size_t>(id)].x);
       if (!seen)
       {
-        // Behind the viewer: what is before it goes on for itself.
+        // The point is behind the viewer. The part in front of the viewer becomes another path.
         paths.push_back({ {}, line.value });
         continue;
       }

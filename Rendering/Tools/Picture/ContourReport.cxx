@@ -17,8 +17,8 @@ namespace pixelexact
 FoundContours FindContours(
   const ShotAppearance& appearance, const Frame& frame, std::optional<int> labels)
 {
-  const ContourCertifier& told = *appearance.GetPainter().Contours();
-  FoundContours found{ told.Values(), 0, told.Counters(), labels,
+  const ContourCertifier& certifier = *appearance.GetPainter().Contours();
+  FoundContours found{ certifier.Values(), 0, certifier.Counters(), labels,
     appearance.GetView().appearance.contours.method.interior, appearance.Resolved().ofOneValue };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
@@ -41,7 +41,7 @@ std::size_t CountOf(const FoundContours& contours)
 
 nlohmann::ordered_json ToJson(const FoundContours& contours)
 {
-  // As there are layers, where there are several.
+  // An array per layer, where there are several.
   const nlohmann::ordered_json values = contours.values.size() > 1
     ? nlohmann::ordered_json(contours.values)
     : nlohmann::ordered_json(contours.values.front());
@@ -78,7 +78,7 @@ void AddContours(Table& table, const FoundContours& contours)
     pixels.out, pixels.undecided, pixels.jumps, loops);
   if (pixels.spent > 0)
   {
-    table.Row("", "all that may be spent was spent in {}; --contour-effort spends more",
+    table.Row("", "the work budget was exhausted in {}; --contour-effort raises it",
       Counted(pixels.spent, "tile"));
   }
   if (contours.labels)

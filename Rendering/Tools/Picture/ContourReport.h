@@ -10,30 +10,30 @@
 #include <optional>
 #include <vector>
 
-// What reports tell of contours.
+// Reports on contours.
 namespace pixelexact
 {
 class ShotAppearance;
 class Table;
 
-/// What there is to tell of contours.
+/// Results of a frame's contours.
 struct FoundContours
 {
   std::vector<std::vector<double>> values; ///< by layer, in ascending order
-  std::size_t outside = 0; ///< of them, outside of the values at centres of their layer's pixels
+  std::size_t outside = 0; ///< values outside of their layer's range at pixels' centres
   ContourCounters pixels;
-  std::optional<int> labels; ///< written, where they were asked for
-  bool interior = false;     ///< whether loops inside of pixels were looked for
-  /// Whether a number of values was asked for where a surface shows one value, up to rounding.
+  std::optional<int> labels; ///< number of labels drawn, where requested
+  bool interior = false;     ///< whether loops inside of pixels were searched for
+  /// Whether a count of values was requested on a surface with one value, up to rounding.
   bool ofOneValue = false;
 };
 
-/// Of a frame that the painter's pipeline ran over. `labels`: how many were written, where they
-/// were asked for.
+/// The results of a frame after the painter's pipeline. `labels`: number of labels drawn, where
+/// requested.
 [[nodiscard]] FoundContours FindContours(
   const ShotAppearance& appearance, const Frame& frame, std::optional<int> labels);
 
-/// Values, of all layers.
+/// The number of values of all layers.
 [[nodiscard]] std::size_t CountOf(const FoundContours& contours);
 
 [[nodiscard]] nlohmann::ordered_json ToJson(const FoundContours& contours);

@@ -19,7 +19,7 @@ namespace pixelexact
 Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress)
 {
   const bool hasField = shot.scene.layers.front().field != nullptr;
-  // The report tells which values are seen.
+  // The report states the range of visible values.
   const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
   View view = ViewOf(options.shot.colors, &options.contours, shot);
@@ -34,7 +34,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   , Pixels(std::move(traced))
   , Told(options.debug)
 {
-  // Colours after the rays, because the default range is that of the values found.
+  // Colours follow tracing, because the default range is that of the traced values.
   Colors.emplace(options.shot.colors, &options.contours, shot, Pixels);
   Painter& painter = Colors->GetPainter();
   std::optional<std::vector<std::vector<CanvasPoint>>> edges;
@@ -45,7 +45,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   }
   const bool hasContours = painter.Contours() != nullptr;
   std::optional<std::vector<ContourPath>> contours;
-  // Undecided pixels are in the pixels.
+  // Marks of undecided pixels stay pixels.
   if (paths && hasContours && painter.Lines()->DrawsUndecided())
   {
     contours = PathsOfContours(shot, painter.Contours()->Values().front());

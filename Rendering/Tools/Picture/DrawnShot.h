@@ -23,13 +23,13 @@ struct Shot;
 /// Casts the rays that a picture needs.
 Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress);
 
-/// A shot in its colours, with contours, labels, outlines and what is told of it.
+/// A shot with colours, contours, labels, outlines and its report's data.
 class DrawnShot
 {
 public:
-  /// `traced`: of TraceShot. `paths`: contours, element edges and outlines are left out of the
-  /// pixels where they can be had as paths. Throws Error as ShotAppearance. The options
-  /// and the shot must outlive it.
+  /// `traced`: the frame of TraceShot. `paths`: draws contours, element edges and outlines as paths
+  /// instead of pixels where possible. Throws Error as ShotAppearance. The options and the shot
+  /// must outlive it.
   DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
   DrawnShot(const DrawnShot&) = delete;
   DrawnShot& operator=(const DrawnShot&) = delete;
@@ -37,16 +37,16 @@ public:
   [[nodiscard]] const Frame& GetFrame() const { return Pixels; }
   [[nodiscard]] const ShotAppearance& GetAppearance() const { return *Colors; }
   [[nodiscard]] const DebugOptions& Debug() const { return Told; }
-  /// Null where there are none.
+  /// Null where there are no contours.
   [[nodiscard]] const ContourCertifier* Contours() const { return Colors->GetPainter().Contours(); }
   [[nodiscard]] const Found& WhatIsFound() const { return found_; }
 
   /// The picture alone, or with a figure around it.
   [[nodiscard]] Image Picture() const;
-  /// The same as a PDF or SVG: its bytes.
+  /// The bytes of the same as a PDF or SVG.
   [[nodiscard]] std::string Vectors(
     PictureFormat format, const PictureTexts& texts, const std::string& file) const;
-  /// What was wanted as paths and is in the pixels: "contours", "element edges".
+  /// Parts that were requested as paths but are drawn in pixels: "contours", "element edges".
   [[nodiscard]] const std::vector<std::string>& InPixels() const { return Staying; }
   /// "12 exact, 3 nothing, 0 unknown".
   [[nodiscard]] std::string PixelsText() const;
@@ -62,7 +62,7 @@ private:
   Frame Pixels;
   DebugOptions Told;
   std::optional<ShotAppearance> Colors;
-  std::optional<int> Labels; ///< written, where they were asked for
+  std::optional<int> Labels; ///< number of labels drawn, where requested
   VectorLines Over;
   std::vector<std::string> Staying;
   Found found_;

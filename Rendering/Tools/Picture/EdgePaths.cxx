@@ -19,7 +19,7 @@ namespace pixelexact
 {
 namespace
 {
-/// How often a place is halved, and how far a line may then be from it, in pixels.
+/// Number of bisections of a crossing, and the distance in pixels by which a line may then miss it.
 constexpr int kSubdivisions = 6;
 constexpr double kTolerance = 1.0 / 64;
 constexpr std::size_t kBatch = 1024;
@@ -72,7 +72,7 @@ std::vector<PixelStep> StepsOf(const SampleBuffers& of)
   return steps;
 }
 
-/// Children the places between pixels' centres.
+/// Bisects the crossings between neighbouring pixels' centres.
 class Subdivision
 {
 public:

@@ -28,12 +28,12 @@ constexpr double kLargestFont = 200.0;
 constexpr double kPointsPerInch = 72.0;
 constexpr double kDefaultPoints = 7.0;
 constexpr double kSmallestPoints = 4.0;
-/// Of the font's size: the room for a title.
+/// Height of a title, in units of the font's size.
 constexpr int kTitle = 3;
-/// The least of a picture, in pixels.
+/// Smallest side of a picture, in pixels.
 constexpr int kMin = 32;
 
-/// "u", "|v|" of a magnitude, "v 0" of a component.
+/// The name of a layer's values: "u", "|v|" for a magnitude, "v 0" for a component.
 std::string NameOf(const Layer& layer)
 {
   const std::string& name = layer.field->name;
@@ -44,7 +44,7 @@ std::string NameOf(const Layer& layer)
   return layer.component == kMagnitude ? "|" + name + "|" : name + " " + ComponentName(layer);
 }
 
-/// One for layers that are alike.
+/// One bar for layers with equal colours.
 std::vector<FigureBar> BarsOf(const Shot& shot, const ShotAppearance& appearance)
 {
   std::vector<FigureBar> bars;
@@ -71,7 +71,7 @@ std::vector<FigureBar> BarsOf(const Shot& shot, const ShotAppearance& appearance
   return bars;
 }
 
-/// The world's length of a pixel where it is the same all over what is seen; 0: it is not.
+/// The length of a pixel in world units where it is the same in the whole picture, else 0.
 double UnitOf(const Shot& shot)
 {
   const CameraView& view = shot.view;
@@ -116,7 +116,7 @@ void FigureOptions::AddTo(CLI::App& command)
 
 int FigureOptions::FontOf(const ImageSize& figure) const
 {
-  // A point of print has a length, where the figure has one.
+  // A point of print has a length in pixels where the figure has a size in inches.
   const double point = figure.inches ? figure.width / (*figure.inches)[0] / kPointsPerInch : 1.0;
   const double usual =
     figure.inches ? kDefaultPoints * point : std::clamp(figure.height / 40.0, 10.0, kLargestFont);
@@ -164,7 +164,7 @@ void FigureOptions::Draw(
       Title, 0.5 * figure.width, figure.height - 0.5 * kTitle * font, TextAnchor::Centre, ink);
   }
   FigureColumn column(canvas, figure.width - FigureColumn::kWidth * font + font, font, ink);
-  // From below: axes, scale, what shows no value, time; the bars get what is left.
+  // From below: axes, scale, colours without a value, time. The bars use the remaining height.
   double y = 3.5 * font;
   column.DrawAxes(shot.view, y);
   y += 4.0 * font;

@@ -17,47 +17,46 @@ class ShotAppearance;
 struct Frame;
 struct Shot;
 
-/// A colour that is no value's, and what it says.
+/// A colour that does not stand for a value, and its meaning.
 struct ColorMark
 {
   Rgba color;
   std::string text;
 };
 
-/// What a figure is of.
+/// The contents of a figure.
 struct FigureContent
 {
   const Shot& shot;
   const ShotAppearance& appearance;
   const Frame& frame;
   const ColorOptions& colors;
-  bool bars = true;             ///< the map's colours are seen
-  std::vector<ColorMark> marks; ///< beside those for unknown pixels and values that are no numbers
+  bool bars = true;             ///< whether colours of maps are visible
+  std::vector<ColorMark> marks; ///< in addition to those of unknown pixels and NaN
 };
 
-/// The ink that is read on a background.
+/// A text colour that contrasts with the background.
 Rgba InkOn(const Rgba& background);
 
-/// A picture with what a reader needs: bars of the colours with ticks and the fields' names, a
-/// title, the time, the axes, a scale where lengths in the picture have one, and what pixels show
-/// no value.
+/// A picture with its legend: colour bars with ticks and the fields' names, a title, the time, the
+/// axes, a scale where the picture has a uniform one, and the colours of pixels without a value.
 class FigureOptions
 {
 public:
   void AddTo(CLI::App& command);
 
   [[nodiscard]] bool IsAsked() const { return Asked; }
-  /// Also without --figure.
+  /// Requests a figure without the option --figure.
   void Ask() { Asked = true; }
   /// Throws UsageError where a figure of this size has no room for a picture.
   void Check(const ImageSize& size) const;
-  /// Of the picture in a figure: what is left of it and above are margins.
+  /// The size of the picture in a figure. The margins on its left and above belong to the figure.
   [[nodiscard]] ImageSize PictureSize(const ImageSize& figure) const;
 
-  /// Of the letters, in pixels.
+  /// The height of letters in pixels.
   [[nodiscard]] int FontOf(const ImageSize& figure) const;
 
-  /// On a canvas of the figure's size, which has the picture: what is around it.
+  /// Draws the legend on a canvas of the figure's size that already contains the picture.
   void Draw(Canvas& canvas, const ImageSize& figure, const FigureContent& content) const;
 
 private:

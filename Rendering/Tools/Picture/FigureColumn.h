@@ -12,7 +12,7 @@ namespace pixelexact
 class Canvas;
 struct CameraView;
 
-/// What a bar tells.
+/// The data of a colour bar.
 struct FigureBar
 {
   std::string name;
@@ -20,11 +20,11 @@ struct FigureBar
   const ColorMap* map;
 };
 
-/// What stands beside the picture of a figure, down a column. Heights are in pixels from below.
+/// The column beside the picture of a figure. Heights are in pixels from below.
 class FigureColumn
 {
 public:
-  /// Of the font's size.
+  /// Width of the column in units of the font's size.
   static constexpr int kWidth = 11;
 
   FigureColumn(Canvas& canvas, int left, int font, const Rgba& ink);
@@ -33,9 +33,9 @@ public:
     const FigureBar& bar, int top, int height, bool logarithm, const std::optional<int>& bands);
   void Write(const std::string& text, double y);
   void DrawMark(const Rgba& color, const std::string& text, double y);
-  /// The axes as the camera sees them.
+  /// Draws the axes in the camera's orientation.
   void DrawAxes(const CameraView& view, double y);
-  /// `unit`: the world's in a pixel.
+  /// `unit`: length of a pixel in world units.
   void DrawScale(double unit, double y);
 
 private:

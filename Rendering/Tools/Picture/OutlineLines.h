@@ -10,27 +10,27 @@
 #include <array>
 #include <vector>
 
-// Where the lines of a mesh outline are.
+// Positions of the lines of a mesh outline.
 namespace pixelexact
 {
 struct Frame;
 struct Shot;
 
-/// Of the box that holds the mesh.
+/// The corners of the box around the mesh.
 std::array<Vec3, 8> CornersOfBox(const Shot& shot);
 
-/// A scene of the mesh's boundary alone. Throws Error where it has none.
+/// A scene with the mesh's boundary only. Throws Error where there is none.
 Scene BoundaryOf(const Shot& shot);
 
-/// The parts of the box's edges that no cut-surface of the frame hides, to a quarter of a pixel:
-/// points four to a pixel.
+/// The parts of the box's edges that are not hidden by a cut-surface of the frame, to a quarter of
+/// a pixel, as points with four to a pixel.
 std::vector<std::vector<CanvasPoint>> SeenEdgesOfBox(const Shot& shot, const Frame& frame);
 
-/// Where the boundary, traced for itself, has lines: of a grid of pixels finer than the picture's.
+/// Lines of the boundary, traced on a finer grid of pixels than the picture's.
 struct BoundaryLines
 {
   std::vector<PixelStep> steps;
-  double fine; ///< so many of its pixels to one of the picture
+  double fine; ///< number of fine pixels to one of the picture
 };
 BoundaryLines LinesOfBoundary(const Shot& shot, int width, int height);
 } // namespace pixelexact

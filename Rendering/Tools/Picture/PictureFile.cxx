@@ -22,7 +22,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Whether WritePng left its mark near the file's beginning.
+/// Whether the file contains WritePng's mark near its beginning.
 bool IsOurs(const std::filesystem::path& file)
 {
   std::array<char, 4096> begin{};
@@ -43,7 +43,7 @@ std::string PictureNamedAfter(const std::string& input, const std::string& endin
   name = name.stem();
   if (name.empty() || name == "-" || name == "." || name == "..")
   {
-    throw UsageError("'" + input + "' tells no name for the picture; give one, --output cut.png");
+    throw UsageError("'" + input + "' gives no name for the picture; give one, --output cut.png");
   }
   name += ending + ".png";
   if (std::filesystem::exists(name) && !IsOurs(name))
@@ -57,18 +57,18 @@ std::string PictureNamedAfter(const std::string& input, const std::string& endin
 
 std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   const std::string& file, const RepeatedCommand& command, Stopwatch& watch,
-  const PictureTexts& told)
+  const PictureTexts& texts)
 {
-  PictureFacts facts{ options.Dpi(), told, options.jpegQuality };
-  // Whoever gets the file is to know, whatever else it tells.
+  PictureFacts facts{ options.Dpi(), texts, options.jpegQuality };
+  // The losses of exactness are always stored, whatever other texts there are.
   if (const auto given = drawn.WhatIsFound().quality.Texts(); !given.empty())
   {
     facts.texts.emplace_back("Given up", fmt::format("{}", fmt::join(given, "\n")));
   }
-  if (options.figure.IsAsked() || !told.empty())
+  if (options.figure.IsAsked() || !texts.empty())
   {
     const bool hasSource =
-      std::ranges::any_of(told, [](const auto& text) { return text.first == kSourceText; });
+      std::ranges::any_of(texts, [](const auto& text) { return text.first == kSourceText; });
     if (!hasSource)
     {
       facts.texts.emplace_back(kSourceText, DescribeFiles(options.shot.input.files));

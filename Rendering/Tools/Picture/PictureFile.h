@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// The picture of an input where none is named: as the input, in the current folder. Throws
-/// UsageError where the input's name tells none, or where a file of that name is there that this
+/// The default name of an input's picture: the input's name, in the current folder. Throws
+/// UsageError where the input's name gives none, or where a file of that name exists that this
 /// program did not write.
 std::string PictureNamedAfter(const std::string& input, const std::string& ending = {});
 
@@ -18,16 +18,15 @@ class Stopwatch;
 struct RenderOptions;
 struct Shot;
 
-/// What DescribeFiles tells of the inputs, among a picture's texts.
+/// Key of the text of DescribeFiles among a picture's texts.
 inline constexpr const char* kSourceText = "Source";
 
-/// The bytes of a picture's file, of the format that its name says: the picture alone, or with a
-/// figure around it, which says where it comes from. `told`: what else it says of itself; with
-/// kSourceText the inputs are not read for it. Stages: "provenance", "figure", "encode". Throws
-/// Error.
+/// The bytes of a picture's file, in the format of its suffix: the picture alone, or in a figure,
+/// which names its sources. `texts`: further texts of the file; if kSourceText is among them, the
+/// inputs are not read for their hashes. Stages: "provenance", "figure", "encode". Throws Error.
 std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   const std::string& file, const RepeatedCommand& command, Stopwatch& watch,
-  const PictureTexts& told = {});
+  const PictureTexts& texts = {});
 
 /// The bytes of the file of --buffers. Throws as EncodeBuffers.
 std::string EncodeBuffersOf(

@@ -23,7 +23,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a sweep, for the view that sees all of it: so many places.
+/// Number of places along a sweep that determine a view of the whole sweep.
 constexpr int kPlaces = 12;
 
 using Range = std::array<double, 2>;
@@ -41,7 +41,7 @@ std::vector<bool> LayersAlike(const Shot& shot, std::size_t layer)
   return alike;
 }
 
-/// What is seen of places along the sweep, as if the camera stood still and all else turned.
+/// Visible points at places along the sweep, relative to a camera at rest.
 std::vector<Vec3> SeenOfAll(const AnimationOptions& animation, const Shot& shot,
   const std::function<std::vector<Vec3>(const Shot&)>& outlined)
 {

@@ -17,7 +17,7 @@
 
 namespace pixelexact
 {
-/// What render was asked for.
+/// The options of render.
 struct RenderOptions
 {
   ShotOptions shot;
@@ -36,14 +36,13 @@ struct RenderOptions
 
   void AddTo(CLI::App& command);
 
-  /// What the command line alone can tell to be wrong; size and letters get their pixels.
-  /// `picture`: the file that is written. Throws UsageError, Error for a file that cannot be
-  /// written.
+  /// Checks what depends on the command line only, and computes size and letters in pixels.
+  /// `picture`: the output file. Throws UsageError, and Error for a file that cannot be written.
   void Check(const std::string& picture);
-  /// The shot of the picture, which a figure is around: after Check.
+  /// The options of the picture inside the figure. Must be called after Check.
   [[nodiscard]] ShotOptions OfPicture() const;
 
-  /// Pixels in an inch; none: the picture has no lengths.
+  /// Pixels in an inch; none: the picture has no physical size.
   [[nodiscard]] std::optional<double> Dpi() const;
 };
 } // namespace pixelexact

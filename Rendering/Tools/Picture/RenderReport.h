@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-// What render tells of a frame.
+// Reports of render on a frame.
 namespace pixelexact
 {
 class DebugOptions;
@@ -17,24 +17,24 @@ class ShotAppearance;
 class Stopwatch;
 struct Shot;
 
-/// What there is to tell of the values.
+/// Results on the values of a frame.
 struct Found
 {
   std::optional<std::array<double, 2>> values; ///< of exact pixels
-  PixelsBeyond beyond;                         ///< ranges of colour maps
-  std::optional<FoundContours> contours;       ///< where they were asked for
-  QualityFacts quality;                        ///< what was given up
+  PixelsBeyond beyond;                         ///< pixels outside of the ranges of colour maps
+  std::optional<FoundContours> contours;       ///< where requested
+  QualityFacts quality;                        ///< what was given up for speed
 };
 
-/// On stdout.
+/// Prints JSON to stdout.
 void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
   const ShotAppearance& appearance, const DebugOptions& debug, const RepeatedCommand& command,
   const Stopwatch& stopwatch);
-/// On stdout, or on stderr, where stdout is a file's.
+/// Prints a table to stdout, or to stderr where stdout is a file.
 void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
   const ShotAppearance& appearance, const DebugOptions& debug, const RepeatedCommand& command,
   const Stopwatch& stopwatch, bool onStderr);
 
-/// Says on stderr what the picture does not show as it is.
+/// Warns on stderr about parts that the picture does not show exactly.
 void WarnOf(const Shot& shot, const Frame& frame, const Found& found);
 } // namespace pixelexact

@@ -67,10 +67,10 @@ namespace
 {
 constexpr int kTag = 7001;
 
-/// What a process has traced, as bytes: sheet by sheet, buffer by buffer, tile by tile.
+/// The samples of a process as bytes: sheet by sheet, buffer by buffer, tile by tile.
 using Bytes = std::vector<char>;
 
-/// visit(first sample, samples) for each row of each tile of a turn.
+/// Calls visit(first sample, samples) for each row of each tile of a turn.
 template <class Visit>
 void ForEachRow(const TileTurn& turn, int width, int height, const Visit& visit)
 {
@@ -90,7 +90,7 @@ void ForEachRow(const TileTurn& turn, int width, int height, const Visit& visit)
   }
 }
 
-/// visit(values) for each buffer that the samples hold.
+/// Calls visit(values) for each buffer that the samples contain.
 template <class Samples, class Visit>
 void ForEachHeld(Samples& samples, const Visit& visit)
 {
@@ -136,7 +136,7 @@ void Put(const Bytes& bytes, const TileTurn& turn, SampleBuffers& samples)
     });
 }
 
-/// Sheet 0 is the nearest.
+/// The samples of a sheet; sheet 0 is the nearest.
 SampleBuffers& SheetOf(Frame& frame, int sheet)
 {
   return sheet == 0 ? frame.centres : frame.centres.behind[static_cast<std::size_t>(sheet) - 1];
@@ -199,7 +199,7 @@ Frame TraceTogether(const View& view, Buffer centres, const Progress& progress)
   const Buffer wanted = centres | NeedsOf(view);
   Frame frame = Trace(view.scene, view.camera.Make(), {},
     { .centres = wanted, .tiles = { all.GetLocalProcessId(), processes } }, progress);
-  // All have as many sheets as the one with most.
+  // All processes get the largest number of sheets.
   const int own = 1 + static_cast<int>(frame.centres.behind.size());
   int sheets = own;
   all.AllReduce(&own, &sheets, 1, vtkCommunicator::MAX_OP);

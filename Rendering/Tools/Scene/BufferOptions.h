@@ -13,19 +13,19 @@ class App;
 
 namespace pixelexact
 {
-/// What was found at each pixel, for a file: which of it.
+/// The options of the file with each pixel's buffers.
 class BufferOptions
 {
 public:
   void AddTo(CLI::App& added);
 
-  /// Throws UsageError for names that are of no array, or of one that another option makes.
+  /// Throws UsageError for names that are not arrays, or that belong to another option.
   void Check() const;
 
   [[nodiscard]] const std::string& File() const { return file_; }
-  /// Names of arrays; empty: all that there are.
+  /// Names of the arrays; empty: all.
   [[nodiscard]] const std::vector<std::string>& Arrays() const { return Names; }
-  /// The buffers to be traced for it. Throws Error where one needs a field and there is none.
+  /// The buffers that must be traced. Throws Error where one needs a field and there is none.
   [[nodiscard]] Buffer Needs(bool hasField) const;
 
 private:

@@ -18,43 +18,44 @@ class vtkLookupTable;
 
 namespace pixelexact
 {
-/// How values become colours, and what is behind them.
+/// Options of the colours of values, and of the background.
 class ColorOptions
 {
 public:
   void AddTo(CLI::App& command);
-  /// Declares how pixels that are not proven are painted.
+  /// Declares the options of the colours of unproven pixels.
   void AddUndecidedTo(CLI::App& command);
 
-  /// Throws UsageError for what the command line alone shows to be wrong.
+  /// Throws UsageError for errors that depend on the command line only.
   void Check() const;
 
-  /// Of all layers that do not say so themselves.
+  /// The range rule of layers without their own.
   [[nodiscard]] const RangeRule& Range() const { return range_; }
   [[nodiscard]] bool Logarithm() const { return Log; }
-  /// The colour in the place of the map's; none: by value.
+  /// The single colour that replaces the map; none: colours by value.
   [[nodiscard]] std::optional<std::array<double, 3>> Solid() const;
-  /// The colours without bands. `map`: another map than that of all layers. Throws UsageError where
-  /// there is no such map.
+  /// The colours without bands. `map`: the name of another map than the default. Throws UsageError
+  /// where it does not exist.
   [[nodiscard]] ColorMap MapOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
-  /// The same in bands, as a table of a scalar bar.
+  /// The same in bands, as the table of a scalar bar.
   [[nodiscard]] vtkSmartPointer<vtkLookupTable> TableOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
-  /// So many steps of colour in the place of a smooth map; none: smooth.
+  /// The number of bands; none: a smooth map.
   [[nodiscard]] std::optional<int> Bands() const { return bands_; }
-  /// The colour of pixels that are not proven; none: they are not marked.
+  /// The colour of unproven pixels; none: they are not marked.
   [[nodiscard]] std::optional<Rgba> Undecided() const;
 
-  /// Of alpha 0 where there is none.
+  /// The colour of the background; alpha is 0 where there is none.
   [[nodiscard]] Rgba BackgroundColor() const;
-  /// The frame's colours in front of the background; with alpha where there is none.
+  /// The frame's colours over the background; with alpha where there is none.
   [[nodiscard]] Image Flatten(const Frame& frame) const;
 
 private:
-  /// Sets what does not depend on the table's colours: the logarithm and the colour of NaN.
+  /// Sets the properties that do not depend on the table's colours: the logarithm and the colour of
+  /// NaN.
   void SetScale(vtkLookupTable& table) const;
 
   std::string Map = "viridis";
@@ -68,10 +69,10 @@ private:
   std::optional<std::array<double, 3>> Background{ { 1.0, 1.0, 1.0 } };
 };
 
-/// Throws UsageError where there is no such colour map, Error where it is a file's and that cannot
+/// Throws UsageError where the colour map does not exist, Error where it is in a file that cannot
 /// be read.
 void CheckMap(const char* option, const std::string& map);
 
-/// Throws UsageError where a logarithm is asked for over a range that is not above 0.
+/// Throws UsageError for a logarithm over a range that is not positive.
 void CheckLogarithm(const char* option, const RangeRule& range);
 } // namespace pixelexact

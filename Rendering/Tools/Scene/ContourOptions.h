@@ -16,12 +16,12 @@ namespace pixelexact
 {
 struct LayerSettings;
 
-/// A positive integer without separator or decimal point is a count ("round" before it changes
-/// nothing), everything else values; a separator behind a single number makes it a value. Throws
-/// UsageError.
+/// Parses contours. A positive integer without separator or decimal point is a count ("round"
+/// before it changes nothing), everything else is a list of values. A separator after a single
+/// number makes it a value. Throws UsageError.
 ContourRule ReadContours(const std::string& option, const std::string& text, char separator);
 
-/// Which contours render draws, and how.
+/// Options of the contours that render draws.
 class ContourOptions
 {
 public:
@@ -29,25 +29,25 @@ public:
 
   void AddTo(CLI::App& added);
 
-  /// Throws UsageError for what the command line alone shows to be wrong, and for options that have
+  /// Throws UsageError for errors that depend on the command line only, and for options that have
   /// no effect.
   void Check(const std::vector<LayerSettings>& layers) const;
 
-  /// Whether there are any.
+  /// Whether contours are requested.
   [[nodiscard]] bool AreGiven() const { return Choice.has_value(); }
-  /// Of all layers that do not say so themselves.
+  /// The contours of layers without their own.
   [[nodiscard]] const ContourRule& OfAll() const { return *Choice; }
   [[nodiscard]] ContourStyle Style() const;
-  /// How pixels are told.
+  /// The method that classifies pixels.
   [[nodiscard]] ContourMethod ProofMethod() const;
-  /// One for each value in the order given, or one for all; empty: by the colour map.
+  /// The colours: one for each value in the given order, or one for all; empty: by the colour map.
   [[nodiscard]] const std::vector<Rgba>& Colors() const { return colors_; }
   [[nodiscard]] bool ByMap() const { return colors_.empty(); }
-  /// Without the colours of the surface.
+  /// Whether the surface's colours are left out.
   [[nodiscard]] bool Only() const { return only_; }
   /// The height of labels in pixels; none: no labels.
   [[nodiscard]] std::optional<int> Labels() const;
-  /// `background`: the colour in the place of the surface's, with Only.
+  /// `background`: the colour that replaces the surface's, with Only.
   [[nodiscard]] ContourAppearance MakeAppearance(const Rgba& background) const;
 
 private:

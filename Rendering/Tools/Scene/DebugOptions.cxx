@@ -80,7 +80,7 @@ std::string TextOf(std::span<const ColorMeaning> legend)
   return Listed(entries);
 }
 
-/// Of the elements that are seen; the others' do not matter.
+/// The validity of visible elements; that of others is left undecided.
 std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
 {
   std::vector<Validity> verdicts(static_cast<std::size_t>(mesh.Elements()), Validity::Undecided);

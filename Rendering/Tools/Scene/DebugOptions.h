@@ -28,7 +28,7 @@ public:
   /// Fills the frame's buffer of jumps. All layers must have fields.
   FoundJumps(const Shot& shot, Frame& frame);
 
-  /// 0 where no value jumps.
+  /// The largest jump; 0 where no value jumps.
   [[nodiscard]] double Largest() const { return Jumps.largest ? Jumps.largest->jump : 0.0; }
 
   void AddTo(Table& table) const;
@@ -39,39 +39,38 @@ private:
 
   CutJumps Jumps;
   std::size_t Layers = 1;
-  std::span<const std::int64_t> SourceCells; ///< by element, the numbers that users know
+  std::span<const std::int64_t> SourceCells; ///< by element, the numbers shown to users
 };
 
 struct LayerSettings;
 
-/// What render shows and tells beyond the field: how sound the mesh is where it is cut, and how far
-/// the values are proven. Nothing of it costs a render that does not ask.
+/// Options that show and report the validity of the mesh at the cut, and what is proven about
+/// values. They cost nothing where they are not given.
 class DebugOptions
 {
 public:
   void AddTo(CLI::App& added);
 
-  /// Throws UsageError for options that exclude each other or have no effect; `samples`: in a
-  /// pixel.
+  /// Throws UsageError for options that exclude each other or have no effect. `samples`: per pixel.
   void Check(int samples, const std::vector<LayerSettings>& layers) const;
-  /// Whether a legend's colours are painted in the place of the field's.
+  /// Whether a legend's colours replace those of the field.
   [[nodiscard]] bool IsInPlace() const { return Owners || Show != "field"; }
-  /// Whether colours are a legend's, and must not be mixed.
+  /// Whether colours are those of a legend and must not be mixed.
   [[nodiscard]] bool NeedsPureColors() const { return IsInPlace() || MarksUndecided(); }
 
-  /// The buffers that it takes.
+  /// The buffers that the options need.
   [[nodiscard]] Buffer Needs() const;
 
-  /// Replaces a pipeline's colours by those of a legend, where these are asked for. The frame must
-  /// have its samples, and its buffer of jumps is filled. The pipeline points to this object.
+  /// Replaces a pipeline's colours by those of a legend, where requested. The frame must contain
+  /// its samples; its buffer of jumps is filled. The pipeline points to this object.
   void AddTo(Pipeline& pipeline, const Shot& shot, Frame& frame);
 
-  /// Counts what was found in a frame. `undecided`: the painter's; null: no pixels are marked.
+  /// Counts the results in a frame. `undecided`: the painter's; null: no pixels are marked.
   void Count(const Frame& frame, const UndecidedColors* undecided);
-  /// How many pixels of the frame that was counted have a colour that is not proven.
+  /// The number of pixels in the counted frame whose colour is not proven.
   [[nodiscard]] std::int64_t UndecidedPixels() const { return ColorUndecided; }
 
-  /// What was found: call after Count.
+  /// Adds the results. Must be called after Count.
   void AddTo(Table& table) const;
   void AddTo(nlohmann::ordered_json& summary) const;
 
@@ -89,7 +88,7 @@ private:
   bool Enclosures = false;
   std::string Show = "field";
 
-  std::shared_ptr<SampleColors> InPlace; ///< of the field's colours
+  std::shared_ptr<SampleColors> InPlace; ///< replaces the field's colours
   std::vector<Validity> Verdicts;        ///< of elements
   std::optional<FoundJumps> Jumps;
 

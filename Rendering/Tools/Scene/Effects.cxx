@@ -17,12 +17,12 @@ namespace pixelexact
 {
 namespace
 {
-// Of colours by value.
+// Options of colours by value.
 constexpr std::array kOfMaps{ "--range", "--colormap", "--log", "--nan-color", "--bands" };
 
 using Layers = std::vector<LayerSettings>;
 
-/// The first of these that the command line holds; empty: none.
+/// The first of these options in the command line; empty where there is none.
 template <class Names>
 std::string FirstGiven(const CLI::App& command, const Names& names)
 {
@@ -31,7 +31,7 @@ std::string FirstGiven(const CLI::App& command, const Names& names)
   return given == std::end(names) ? std::string() : std::string(*given);
 }
 
-/// Enclosures are of values in double precision.
+/// Refuses enclosures in single precision: they enclose values in double precision.
 void CheckPrecision(const CLI::App& command, const Layers& layers)
 {
   const std::string bounds = FirstGiven(command, std::array{ "--enclosures", "--show-undecided" });

@@ -7,14 +7,15 @@
 #include <optional>
 #include <vector>
 
-// Between which values fields and coordinates are, as info tells without proving it.
+// Ranges of fields and coordinates that info reports without proof.
 namespace pixelexact
 {
 class Table;
 struct Field;
 struct Mesh;
 
-/// As AttainedRange: attained, and left by a thousandth at most; none: nothing is finite.
+/// A range as AttainedRange returns it: its ends are attained, and values exceed it by at most a
+/// thousandth of it. None: no value is finite.
 using FoundRange = std::optional<std::array<double, 2>>;
 
 struct FoundRanges
@@ -25,12 +26,13 @@ struct FoundRanges
 
 FoundRanges FindRanges(const Mesh& mesh, const Field& field);
 
-/// Of the curved elements of a mesh that has some: x, y, z, lower and upper each. They are attained
-/// up to rounding, and left by a thousandth of the mesh's extent at most.
+/// The bounds of the curved elements of a mesh with at least one element: x, y, z, lower and upper
+/// each. They are attained up to rounding, and the mesh exceeds them by at most a thousandth of its
+/// extent.
 std::array<double, 6> FindBounds(const Mesh& mesh);
 
-/// Below the field's row.
+/// Adds rows below the field's row.
 void AddTo(Table& table, const FoundRanges& ranges);
-/// The members "ranges" and, of vectors, "magnitude_range".
+/// Adds the members "ranges" and, for vectors, "magnitude_range".
 void AddTo(nlohmann::ordered_json& field, const FoundRanges& ranges);
 } // namespace pixelexact

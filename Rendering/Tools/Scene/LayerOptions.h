@@ -14,7 +14,7 @@
 
 namespace pixelexact
 {
-/// What the command line says of one surface; none: as all.
+/// The settings of one surface in the command line; none: as for all surfaces.
 struct LayerSettings
 {
   std::optional<std::string> field;
@@ -23,25 +23,25 @@ struct LayerSettings
   double opacity = 1.0;
   std::optional<std::string> colormap;
   std::optional<RangeRule> range;
-  std::optional<std::array<double, 3>> color; ///< in the place of a colour map
+  std::optional<std::array<double, 3>> color; ///< replaces the colour map
   std::optional<bool> lights;
   std::optional<ContourRule> contours;
 };
 
-/// Surfaces that are shown in a way of their own: --layer, any number of times.
+/// Surfaces with settings of their own: --layer, any number of times.
 class LayerOptions
 {
 public:
   void AddTo(CLI::App& command);
 
-  /// One for each surface. Throws UsageError for what is not understood, and for numbers of
-  /// surfaces that are not there.
+  /// The settings of each surface. Throws UsageError for settings that are not understood, and for
+  /// numbers of surfaces that do not exist.
   [[nodiscard]] std::vector<LayerSettings> Make(std::size_t surfaces) const;
 
 private:
   std::vector<std::string> Texts;
 };
 
-/// "magnitude" or a number from 0; none otherwise.
+/// Parses "magnitude" or a number from 0; none otherwise.
 std::optional<int> ParseComponent(const std::string& text);
 } // namespace pixelexact

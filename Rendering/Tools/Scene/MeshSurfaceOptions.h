@@ -5,22 +5,22 @@
 
 #include <string>
 
-// Surfaces of the command line that are made of the mesh.
+// Surfaces of the command line that are made from the mesh.
 namespace pixelexact
 {
-/// "all", "ATTRIBUTE,..." or "element:NUMBER,...". Throws UsageError.
+/// Parses "all", "ATTRIBUTE,..." or "element:NUMBER,...". Throws UsageError.
 BoundaryChoice ParseBoundary(const std::string& text);
 
-/// What --isosurface was given: the last '=' stands before the value.
+/// The parts of --isosurface. The last '=' precedes the value.
 struct IsoText
 {
-  std::string name; ///< of a field, or of one with .magnitude or .COMPONENT behind it
+  std::string name; ///< of a field, optionally followed by .magnitude or .COMPONENT
   double value = 0.0;
 };
-/// Throws UsageError.
+/// Parses --isosurface. Throws UsageError.
 IsoText ParseIso(const std::string& text);
 
-/// The field and component that the name is of: a field's whole name goes before a component.
-/// Throws Error where there is none.
+/// Finds the field and component of a name; the whole name of a field precedes a field with a
+/// component. Throws Error where there is none.
 IsoChoice Resolve(const IsoText& text, const HighOrderModel& model);
 } // namespace pixelexact

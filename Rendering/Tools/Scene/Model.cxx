@@ -39,7 +39,7 @@ bool HasArray(vtkUnstructuredGrid& grid, const std::string& name)
     grid.GetCellData()->HasArray(name.c_str()) != 0;
 }
 
-/// Of the fields.
+/// The names of the model's fields in quotes.
 std::string FieldNames(const HighOrderModel& model)
 {
   std::vector<std::string> names;

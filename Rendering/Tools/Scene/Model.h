@@ -33,11 +33,11 @@ struct LoadedModel
   std::vector<std::string> diagnostics; ///< what looks wrong in the file
   std::vector<double> times;            ///< of the time steps; none: the input knows no time
   int step = 0;                         ///< the one that this is
-  /// What was dropped of fields, by name; none: they are as in the file.
+  /// Truncated fields by name; none: all fields are as in the file.
   std::map<std::string, std::shared_ptr<const Truncation>> truncations;
 };
 
-/// Reads and converts, telling the seconds as stages "read" and "convert". Of a plain file only
+/// Reads and converts, reporting seconds of the stages "read" and "convert". Of a plain file only
 /// `field` is converted, all of them where that is empty or not there. Throws Error, naming the
 /// file.
 /// `before`: what was read of another time step, whose mesh and locator it shares where its mesh is
@@ -45,17 +45,17 @@ struct LoadedModel
 LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
   vtkUnstructuredGrid* before = nullptr);
 
-/// Tells which time step this is; nothing where the input knows no time.
+/// Reports which time step this is; nothing where the input has no time.
 void AddTime(Table& table, const LoadedModel& input);
 void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input);
 
 /// A box that is proven to hold the mesh; one about 0 where there is no element.
 Box3 BoxOf(const HighOrderModel& model);
 
-/// Says on stderr what looks wrong in the file.
+/// Warns on stderr about errors in the file.
 void WarnOfDiagnostics(const LoadedModel& input);
 
-/// As HighOrderModel::GetField; where the name is empty the first one, of which stderr tells. The
+/// As HighOrderModel::GetField; where the name is empty the first one, with a note on stderr. The
 /// model has one.
 const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name);
 

@@ -8,22 +8,22 @@
 
 namespace pixelexact
 {
-/// A plane as --plane gives it: by numbers, or across an axis at a place that the mesh tells.
+/// A plane of --plane: given by numbers, or across an axis at a place in the mesh's box.
 class PlaneChoice
 {
 public:
   static constexpr const char* kForm = "ox,oy,oz,nx,ny,nz|AXIS[=AT|=PERCENT%]";
 
-  /// Six numbers; or x, y or z, across which the plane is: through the middle of the mesh's box, at
-  /// a coordinate ("z=0.2"), or at a part of the box from its lower side ("z=10%"). Throws
-  /// UsageError for what is none of these, or describes no plane.
+  /// Parses six numbers, or an axis x, y or z that is normal to the plane: through the middle of
+  /// the mesh's box, at a coordinate ("z=0.2"), or at a part of the box from its lower side
+  /// ("z=10%"). Throws UsageError for other texts and for numbers that describe no plane.
   static PlaneChoice Read(const std::string& text);
-  /// Through the middle, across the shortest side; of sides that are alike to a percent across z
-  /// rather than y, and y rather than x.
+  /// The plane through the middle, across the shortest side. If sides are equal to a percent, z
+  /// precedes y, and y precedes x.
   static PlaneChoice ThroughTheMiddle();
 
   [[nodiscard]] Plane Make(const Box3& box) const;
-  /// The same plane as six numbers, so short that they give it back.
+  /// The plane as six numbers, with the fewest digits that reproduce it.
   [[nodiscard]] std::string Numbers(const Box3& box) const;
 
 private:

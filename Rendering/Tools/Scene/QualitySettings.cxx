@@ -61,10 +61,10 @@ std::vector<TruncatedField> TruncatedFields(const Shot& shot)
       continue;
     }
     const std::string component = ComponentName(layer);
-    const bool told = std::ranges::any_of(fields,
+    const bool isListed = std::ranges::any_of(fields,
       [&](const TruncatedField& field)
       { return field.name == layer.field->name && field.component == component; });
-    if (told)
+    if (isListed)
     {
       continue;
     }
@@ -129,7 +129,7 @@ void Truncate(LoadedModel& input, int order)
     truncations.emplace_back(field, order);
   }
   input.grid = WithTruncated(input.grid, truncations);
-  // The one before is held while this is made, which takes its mesh and locator.
+  // The old model is kept until the new one exists, which takes over its mesh and locator.
   input.model = HighOrderModel::From(input.grid);
   for (Truncation& truncation : truncations)
   {

@@ -21,17 +21,17 @@ struct LoadedModel;
 struct Shot;
 struct ShotOptions;
 
-/// What of the exact picture is given up to be faster, and told with it: --stride,
+/// Options that give up exactness for speed and are reported with the picture: --stride,
 /// --truncate-order.
 class QualityOptions
 {
 public:
-  /// The order is set in the shot's input.
+  /// The order is stored in the shot's input.
   void AddTo(CLI::App& command, ShotOptions& shot);
 
-  /// Pixels across a block that is traced once; 1: each is.
+  /// Side in pixels of a block that is traced once; 1: each pixel is traced.
   [[nodiscard]] int Stride() const { return stride_; }
-  /// Throws UsageError for options that ask for more than blocks have.
+  /// Throws UsageError for options that blocks do not support.
   void Check(const CLI::App& command) const;
 
 private:
@@ -42,29 +42,29 @@ private:
 struct TruncatedField
 {
   std::string name;
-  std::string component; ///< as ComponentName tells
+  std::string component; ///< as in ComponentName
   int order = 0;
   std::int64_t modes = 0;   ///< of a component, in all elements
-  std::int64_t dropped = 0; ///< of them
-  double change = 0.0;      ///< proven bound of how far values moved; infinite: none was found
+  std::int64_t dropped = 0; ///< number of dropped modes
+  double change = 0.0;      ///< proven bound of the change of values; infinite: none was found
 };
 
-/// Those of a shot's layers, each once. Bounds the changes, which takes a while and shows how far
-/// it is.
+/// The truncated fields of a shot's layers, each once. Bounding the changes takes a while and shows
+/// its progress.
 std::vector<TruncatedField> TruncatedFields(const Shot& shot);
 
-/// What was given up for a picture.
+/// The losses of exactness in a picture.
 struct QualityFacts
 {
   int stride = 1;
   std::vector<TruncatedField> fields;
 
-  /// One line for each; none: nothing.
+  /// One line for each; empty: nothing was given up.
   [[nodiscard]] std::vector<std::string> Texts() const;
   void AddTo(Table& table) const;
   void AddTo(nlohmann::ordered_json& summary) const;
 };
 
-/// Replaces all fields of an input by what is left of them at an order.
+/// Truncates all fields of an input to an order.
 void Truncate(LoadedModel& input, int order);
 } // namespace pixelexact

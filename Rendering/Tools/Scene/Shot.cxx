@@ -58,8 +58,8 @@ void ShotOptions::AddTo(CLI::App& added)
 
 namespace
 {
-/// The only field of all layers and surfaces; empty: there are several, or which one the input
-/// tells.
+/// The only field of all layers and surfaces; empty: there are several, or it depends on
+/// the input.
 std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSettings>& layers)
 {
   for (const LayerSettings& layer : layers)
@@ -150,7 +150,7 @@ std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const I
 
 namespace
 {
-/// Of walls of iso-surfaces: none of the usual colour maps has it.
+/// Colour of the walls of iso-surfaces, which occurs in no default colour map.
 constexpr std::array<double, 3> kWallColor{ 0.84, 0.37, 0.0 };
 } // namespace
 

@@ -33,7 +33,7 @@ enum class Lit
   Off
 };
 
-/// What is seen from where: the options that render and bench share.
+/// Options of surfaces, colours and camera that render and bench share.
 struct ShotOptions
 {
   const CLI::App* command = nullptr; ///< that they belong to
@@ -66,7 +66,7 @@ struct ShotOptions
   /// Whether a range is that of all pictures of an animation.
   [[nodiscard]] bool SpansAllPictures() const;
 
-  /// What is said of each surface. Throws UsageError.
+  /// The settings of each surface. Throws UsageError.
   [[nodiscard]] std::vector<LayerSettings> MakeLayers() const;
 };
 
@@ -89,7 +89,7 @@ struct Shot
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }
 };
 
-/// What a small picture of a scene shows.
+/// Points that a small picture of a scene shows.
 std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size);
 
 /// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.

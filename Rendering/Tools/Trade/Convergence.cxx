@@ -40,7 +40,7 @@ constexpr std::array kErrors{
   NamedError{ "mean", &DifferenceNumbers::mean, { 20, 140, 70, 255 } },
 };
 
-/// Of an error: a bound above this part of it is drawn.
+/// A bound above this share of an error is drawn.
 constexpr double kNearBound = 1e-3;
 
 std::string Number(double value)
@@ -75,7 +75,7 @@ std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error
   {
     const double value = row.numbers.*error;
     const double step = Step(row);
-    // Below the bound there is no error to speak of, and of equal steps no slope.
+    // Errors below the bound mean nothing, and equal steps give no slope.
     if (value > row.numbers.largestBound && (places.empty() || step < places.back().step))
     {
       places.push_back({ step, value });
@@ -183,7 +183,7 @@ std::vector<std::uint8_t> Convergence::Draw(
     }
     plot.series.push_back(std::move(series));
   }
-  // Where it is far below all errors it would squeeze them.
+  // A bound far below all errors would compress their range.
   const bool near = std::ranges::any_of(rows_,
     [](const SeriesRow& row) { return row.numbers.largestBound > kNearBound * row.numbers.mean; });
   if (near)

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-// How solutions converge to one that is taken as the truth.
+// Convergence of solutions to a reference solution.
 namespace pixelexact
 {
-/// One of a series, and how far it is from the reference.
+/// One solution of a series, and its distance from the reference.
 struct SeriesRow
 {
   std::string name;
@@ -23,11 +23,11 @@ struct SeriesRow
   DifferenceNumbers numbers;
 };
 
-/// What errors are drawn and slopes are taken over.
+/// The axis over which errors are drawn and slopes computed.
 enum class SeriesAxis
 {
-  Length, ///< of elements: where all orders are alike
-  Modes   ///< their number: where orders differ
+  Length, ///< of elements: if all have the same order
+  Modes   ///< their number: if orders differ
 };
 
 /// The order of convergence of one error. Over a length h it is the slope of log error over log h;
@@ -37,7 +37,7 @@ struct SeriesOrder
 {
   double overall = 0.0; ///< by least squares
   double last = 0.0;    ///< between the two finest
-  int solutions = 0;    ///< that it is made of
+  int solutions = 0;    ///< number of solutions used
 };
 
 /// A series from coarse to fine.
@@ -50,22 +50,22 @@ public:
   [[nodiscard]] const std::vector<SeriesRow>& Rows() const { return rows_; }
   [[nodiscard]] SeriesAxis Axis() const { return axis_; }
 
-  /// Of solutions whose error is above the proven bound, two at least; else none. The error is one
-  /// of DifferenceNumbers::rootMeanSquare, mean, largest.
+  /// The order of convergence of an error over the solutions whose error is above the proven bound;
+  /// none for fewer than two. `error`: DifferenceNumbers::rootMeanSquare, mean or largest.
   [[nodiscard]] std::optional<SeriesOrder> OrderOf(double DifferenceNumbers::*error) const;
-  /// Of the root mean square between a row and the one before; none for the first, and below the
-  /// bound.
+  /// The order of the root mean square between a row and the one before; none for the first row,
+  /// and below the bound.
   [[nodiscard]] std::optional<double> StepOrder(std::size_t row) const;
 
-  /// A line of names, and one for each solution; empty where something is not known.
+  /// A line of names, and one for each solution; unknown fields are empty.
   [[nodiscard]] std::string ToCsv() const;
   [[nodiscard]] nlohmann::ordered_json ToJson() const;
-  /// RGB, lower left first.
+  /// The plot as RGB, lower left first.
   [[nodiscard]] std::vector<std::uint8_t> Draw(
     const std::string& reference, int width, int height) const;
 
 private:
-  /// h, or N^(-1/d).
+  /// The step of a row: h, or N^(-1/d).
   [[nodiscard]] double Step(const SeriesRow& row) const;
 
   std::vector<SeriesRow> rows_;

@@ -16,26 +16,27 @@ class App;
 
 namespace pixelexact
 {
-/// Other solutions that a comparison is with, and what is written of the differences.
+/// Options of the comparison with other solutions, and of its output.
 class DifferenceOptions
 {
 public:
   void AddTo(CLI::App& command);
 
-  /// Whether solutions are compared, and not ways to make a picture.
+  /// Whether solutions are compared instead of ways to make a picture.
   [[nodiscard]] bool IsAsked() const { return !Groups.empty(); }
-  /// Throws UsageError for options of the other kind of comparison. `pictureSize`: of the figure.
+  /// Throws UsageError for options of the other kind of comparison. `size`: of the figure.
   void Check(const CLI::App& command, const ImageSize& size) const;
 
-  /// What is to be read of each other solution. Where a group holds fields alone, the mesh is that
-  /// of `first`.
+  /// The input of each other solution. Where a group contains fields only, its mesh is that of
+  /// `first`.
   [[nodiscard]] std::vector<InputRequest> Requests(const InputRequest& first) const;
-  /// Of the other solutions; empty: that of the first one where it is there, else the only one.
+  /// The field of the other solutions; empty: the field with the name of the first solution's, or
+  /// else the only one.
   [[nodiscard]] const std::string& FieldName() const { return field_; }
   [[nodiscard]] const std::string& BufferFile() const { return buffers_; }
   [[nodiscard]] const FigureOptions& Figure() const { return figure_; }
   [[nodiscard]] const FontOptions& Font() const { return font_; }
-  /// Also without --figure.
+  /// Requests a figure without the option --figure.
   void AskForFigure() { figure_.Ask(); }
 
 private:

@@ -20,7 +20,7 @@ std::string PointText(const Vec3& x)
   return fmt::format("({}, {}, {})", Short(x.x), Short(x.y), Short(x.z));
 }
 
-/// Of pixels with a finite difference.
+/// Whether a pixel has a finite difference.
 bool HasAny(const DifferenceNumbers& numbers)
 {
   return numbers.largestPixel >= 0;

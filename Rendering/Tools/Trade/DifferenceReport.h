@@ -9,13 +9,13 @@
 #include <array>
 #include <string>
 
-// What compare tells of two solutions, or of a series.
+// Reports of compare on two solutions, or on a series.
 namespace pixelexact
 {
 class Stopwatch;
 struct Shot;
 
-/// What is told beside the numbers.
+/// Facts that are reported with the numbers.
 struct DifferenceFacts
 {
   SeriesRow row;                 ///< the other solution
@@ -26,12 +26,12 @@ struct DifferenceFacts
 /// "12 both, 3 only first, ...".
 std::string PixelsText(const DifferenceNumbers& numbers);
 
-/// Says on stderr what the numbers are not about.
+/// Warns on stderr about pixels that the numbers do not cover.
 void WarnOf(const DifferenceNumbers& numbers, const std::string& name);
 
 nlohmann::ordered_json ToJson(const DifferenceNumbers& numbers);
 
-/// On stdout, or on stderr, where stdout is a file's.
+/// Prints to stdout, or to stderr where stdout is a file.
 void PrintDifference(const Shot& shot, const DifferenceFacts& facts, const RepeatedCommand& command,
   const Stopwatch& stopwatch, bool onStderr);
 void PrintSeries(const Shot& shot, const Convergence& convergence, const RepeatedCommand& command,

@@ -20,14 +20,14 @@ namespace pixelexact
 {
 namespace
 {
-/// What one of the exact side's settings does to a frame.
+/// The changes of a frame by one of the exact side's settings.
 struct ExactSetting
 {
   const char* name;
   Precision precision = Precision::Double;
   int stride = 1;
   int samples = 1;
-  std::optional<ContourMethod> contours = {}; ///< none: as usual
+  std::optional<ContourMethod> contours = {}; ///< none: the default
   bool ofContours = false;
 };
 
@@ -66,7 +66,7 @@ public:
     const FreshModel fresh(*scene_.shot);
     View view = ViewOf(fresh);
     Layer& layer = view.scene.layers.front();
-    // Later frames of the same data know the elements' bounds.
+    // Later frames of the same data keep the elements' bounds.
     Paints = std::make_unique<Painter>(view, scene_.resolved, std::make_shared<ContourBounds>());
     TradeTime time;
     const PeakMemory memory;
@@ -108,7 +108,7 @@ public:
   }
 
 private:
-  /// The compared view of the fresh model with the given settings, and nothing but colours and the
+  /// The compared view of the fresh model with the given settings, with only colours and the
   /// verdicts of contours.
   [[nodiscard]] View ViewOf(const FreshModel& fresh) const
   {

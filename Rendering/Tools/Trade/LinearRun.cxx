@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each linear pipeline as its users build it.
+// Builds each linear pipeline as users would.
 #include "Base/PeakMemory.h"
 #include "Base/VtkMessages.h"
 #include "Bench/FrameTime.h"
@@ -39,14 +39,15 @@ namespace pixelexact
 {
 namespace
 {
-/// A pipeline that leaves polygons with the field at their corners.
+/// A pipeline whose output are polygons with the field at their corners.
 struct Pipes
 {
   vtkSmartPointer<vtkAlgorithm> cut;    ///< the last one
-  vtkSmartPointer<vtkAlgorithm> volume; ///< that it gets its cells from; null: it cuts the field
+  vtkSmartPointer<vtkAlgorithm> volume; ///< source of its cells; null: it cuts the grid itself
 };
 
-/// Of fields with several components, whose contours VTK's filter does not know.
+/// Name of the array with a component or magnitude, because VTK's contour filter supports scalars
+/// only.
 constexpr const char* kIsoScalar = "PixelExact.IsoScalar";
 
 /// Null where the contoured array is that of the field.
@@ -90,7 +91,7 @@ vtkSmartPointer<vtkAlgorithm> NewCutter(const TradeScene& scene)
   return cutter;
 }
 
-/// The field, and that of an iso-surface.
+/// The names of the field and of the iso-surface's field.
 std::set<std::string> NamesOfArrays(const TradeScene& scene)
 {
   std::set<std::string> names{ scene.shot->scene.layers.front().field->name };
@@ -101,7 +102,7 @@ std::set<std::string> NamesOfArrays(const TradeScene& scene)
   return names;
 }
 
-/// Those of NamesOfArrays that are expressions with derivatives.
+/// The arrays among NamesOfArrays that are expressions with derivatives.
 std::map<std::string, NodalExpression> ArraysWithDerivatives(const TradeScene& scene)
 {
   std::map<std::string, NodalExpression> found;
@@ -121,7 +122,7 @@ std::map<std::string, NodalExpression> ArraysWithDerivatives(const TradeScene& s
   return found;
 }
 
-/// The point data that a family's filters begin with.
+/// The names of the point data that a family's filters need.
 std::set<std::string> NamesOfPointData(const TradeScene& scene, TradeFamily family)
 {
   std::set<std::string> names = NamesOfArrays(scene);
@@ -152,7 +153,7 @@ vtkSmartPointer<vtkHighOrderSubdivide> NewSubdivide(
   return subdivide;
 }
 
-/// The cells of a grid with the arrays that are cut, derivatives by VTK's Gradient filter.
+/// A grid's cells with the arrays that are cut, derivatives by VTK's Gradient filter.
 vtkSmartPointer<vtkUnstructuredGrid> WithFilteredDerivatives(
   const TradeScene& scene, vtkUnstructuredGrid* grid)
 {
@@ -208,7 +209,7 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
       subdivide->Update();
       grid = subdivide->GetOutput();
     }
-    // Without points VTK's messages say why.
+    // Without points, VTK's own messages state the reason.
     first->SetInputDataObject(
       grid->GetNumberOfPoints() > 0 ? WithFilteredDerivatives(scene, grid).Get() : grid);
     return { cutter, subdivide };

@@ -32,7 +32,7 @@ namespace
 {
 constexpr int kComparedContours = 10;
 
-/// Of the values that a picture shows.
+/// The range of the finite values in a picture.
 std::array<double, 2> RangeOf(const Picture& picture)
 {
   std::array<double, 2> range{ std::numeric_limits<double>::infinity(),
@@ -47,7 +47,7 @@ std::array<double, 2> RangeOf(const Picture& picture)
   return range;
 }
 
-/// Seconds of vtkContourFilter on the triangles.
+/// Measures the seconds of vtkContourFilter on the triangles.
 double ContourTriangles(
   vtkPolyData* surface, const Layer& layer, const std::vector<double>& isoValues)
 {
@@ -127,7 +127,7 @@ void MeasurePaperErrors(const Shot& shot, PaperExtent extent, PaperResults& resu
   const Timer contoured;
   const Picture truth = TracePicture(shot.scene, camera, colored, isoValues, ContourMethod());
   results.exactContourSeconds = contoured.Seconds();
-  // 2 n^2 triangles over the whole plane: as many as the paper's where it is all mesh.
+  // 2 n^2 triangles cover the whole plane: as many as in the paper if the mesh fills it.
   for (const int resolution :
     extent == PaperExtent::Whole ? std::vector{ 512, 2048 } : std::vector{ 128, 512 })
   {

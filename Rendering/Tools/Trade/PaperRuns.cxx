@@ -26,7 +26,7 @@ namespace
 {
 constexpr int kTimedContours = 5;
 
-/// What is varied, and what is kept while something else is.
+/// The values of each parameter, and its fixed value while others vary.
 struct Ranges
 {
   std::vector<int> orders;
@@ -83,7 +83,7 @@ std::shared_ptr<const Surface> MakeCut(Cut cut)
   }
 }
 
-/// All of the image shows the cut.
+/// A view in which the cut fills the image.
 Camera ViewOf(int size)
 {
   CameraView view;
@@ -121,7 +121,7 @@ double ContourSeconds(const Scene& scene, int size, int repeat)
     .Frame();
 }
 
-/// What the process needs for a mesh, its hierarchy and a frame.
+/// Memory of the process for a mesh, its hierarchy and a frame.
 double FrameBytes(const BlockKind& kind, int size)
 {
   const PeakMemory memory;
@@ -190,7 +190,7 @@ private:
         std::vector<double> values(points.size());
         SampleTarget target{};
         target.value = values;
-        // The first time elements' bounds are made.
+        // The first run computes the elements' bounds.
         Sample(locator, &block.GetField(), points, target);
         const Timer timer;
         Sample(locator, &block.GetField(), points, target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of files and Bezier patches, refined, with exact values at their corners.
+// Refines triangles of files and Bezier patches, with exact values at the corners.
 #include "Base/PeakMemory.h"
 #include "Bench/FrameTime.h"
 #include "Trade/TrianglesRun.h"
@@ -19,9 +19,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Parts of a piece's edge at level 0.
+/// Parts of a patch's edge at level 0.
 constexpr int kFirstParts = 16;
-/// Of a triangle and its corners, while they are made.
+/// Memory per triangle and its corners during refinement.
 constexpr double kBytes = 250.0;
 
 /// A point of a Bezier curve through a line of control points, at t from 0 to 1.
@@ -49,7 +49,7 @@ Vec3 PointOf(const BezierPatch& patch, double u, double v)
   return PointOf(std::move(across), u);
 }
 
-/// Points, and triples of them.
+/// Points, and triangles as triples of point numbers.
 struct Lattice
 {
   std::vector<Vec3> points;
@@ -101,7 +101,7 @@ struct Lattice
   }
 };
 
-/// Triangles with all corners in the mesh.
+/// Keeps the triangles whose corners are all in the mesh, with values at their corners.
 LinearSurface Valued(const Lattice& lattice, const HighOrderModel& model, const Layer& layer)
 {
   const Field& field = *model.FindField(layer.field->name);

@@ -14,7 +14,7 @@ class ColorOptions;
 struct ShotOptions;
 struct Shot;
 
-/// A solution that a shot's is compared with.
+/// A solution that is compared with a shot's solution.
 struct OtherSolution
 {
   LoadedModel input;
@@ -24,20 +24,20 @@ struct OtherSolution
   [[nodiscard]] Solution Of() const { return { &input.model->GetLocator(), field }; }
 };
 
-/// "p8.gf", "run.pvd step 3": what tells a solution from others.
+/// The name that distinguishes a solution from others: "p8.gf", "run.pvd step 3".
 std::string SolutionName(const InputRequest& request, const LoadedModel& input);
 
-/// Reads it; mesh and locator are shared with the shot's where the meshes are the same. `fieldName`
-/// as DifferenceOptions::FieldName. Throws Error, naming files and fields.
+/// Reads a solution. Mesh and locator are shared with the shot's where the meshes are the same.
+/// `fieldName` as DifferenceOptions::FieldName. Throws Error, naming files and fields.
 OtherSolution LoadOther(const InputRequest& request, const std::string& fieldName, const Shot& shot,
   Stopwatch& stopwatch);
 
 /// The difference of the shot's only layer from another solution, with proven bounds, and the
-/// buffers that the shot's colours need. Shows how far it is.
+/// buffers that the shot's colours need. Shows progress.
 FieldDifference TraceDifferenceOf(
   const ColorOptions& colors, const Shot& shot, const OtherSolution& other);
 
-/// How fine a solution is.
+/// The resolution of a solution.
 struct SolutionSize
 {
   std::int64_t elements = 0;

@@ -14,27 +14,27 @@ class App;
 
 namespace pixelexact
 {
-/// What is tried, how often, and what is asked of it.
+/// Options of a comparison: settings, number of repeats, and target.
 class TradeOptions
 {
 public:
   void AddTo(CLI::App& command);
 
-  /// Of vtkHighOrderLinearCut, ascending. Where none were given, lower ones of surfaces that are no
+  /// Resolutions for vtkHighOrderLinearCut, ascending. The default is lower for surfaces other than
   /// planes, for which a volume is sampled.
   [[nodiscard]] std::vector<int> Resolutions(bool ofPlane) const;
-  /// Nodes along the longest side.
+  /// Numbers of nodes along the longest side.
   [[nodiscard]] const std::vector<int>& Grids() const { return grids_; }
   [[nodiscard]] const std::vector<int>& Levels() const { return levels_; }
-  /// That fields are truncated to, ascending. Where none were given, some below the field's.
+  /// Orders to which fields are truncated, ascending. By default some orders below the field's.
   [[nodiscard]] std::vector<int> Orders(int ofField) const;
   [[nodiscard]] int Repeat() const { return repeat_; }
   [[nodiscard]] int Bins() const { return bins_; }
-  /// Of the shown pixels, 0 to 1.
+  /// Share of the shown pixels, 0 to 1.
   [[nodiscard]] double Share() const { return Percent / 100.0; }
   [[nodiscard]] bool OfNext() const { return Next; }
   [[nodiscard]] const std::string& Output() const { return output_; }
-  /// None: nothing is asked.
+  /// None: no target is given.
   [[nodiscard]] std::optional<TradeTarget> Target() const;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace pixelexact
 {
-/// What report.html is made of. Pictures are addresses that hold them.
+/// The contents of report.html. Pictures are data URLs.
 struct TradePage
 {
   struct Pictures
@@ -26,10 +26,10 @@ struct TradePage
   std::vector<Pictures> pictures;
 };
 
-/// A page that needs no other file and asks nobody.
+/// A page that needs no other file and no network.
 [[nodiscard]] std::string ToHtml(const TradePage& page);
 
 [[nodiscard]] std::string ForHtml(const std::string& text);
-/// "data:image/png;base64,..." of a file. Throws Error where it cannot be read.
+/// The data URL of a file, "data:image/png;base64,...". Throws Error where it cannot be read.
 [[nodiscard]] std::string DataAddressOf(const std::string& file);
 } // namespace pixelexact

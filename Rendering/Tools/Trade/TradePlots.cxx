@@ -36,7 +36,7 @@ Rgba ColorOf(TradeFamily family)
   }
 }
 
-/// What tells a setting from others of its family.
+/// The part of a setting's name that distinguishes it from others of its family.
 std::string LabelOf(const TradeSetting& setting)
 {
   const std::string family = Name(setting.family);

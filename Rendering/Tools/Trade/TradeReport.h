@@ -15,42 +15,42 @@
 // Pictures of values and of errors; RGB, three bytes a pixel, lower left first.
 namespace pixelexact
 {
-/// Values in the map's colours, contours in black, unknown pixels in magenta, the background where
-/// there is nothing.
+/// Paints values in the map's colours, contours in black, unknown pixels in magenta, and the
+/// background elsewhere.
 [[nodiscard]] std::vector<std::uint8_t> PaintValues(
   const Picture& picture, const ColorMap& map, const Rgba& background);
 
-/// The error's range in PaintErrors, over the values' range.
+/// The range of relative errors in PaintErrors.
 inline constexpr std::array<double, 2> kPaintedErrors{ 1e-8, 1.0 };
 
-/// The logarithm of |error| over `range` by `map`, which spans kPaintedErrors; missing values in
-/// magenta, invented ones in cyan.
+/// Paints the logarithm of |error| / `range` by `map`, which spans kPaintedErrors; missing values
+/// in magenta, invented ones in cyan.
 [[nodiscard]] std::vector<std::uint8_t> PaintErrors(const Picture& truth, const Picture& picture,
   const std::array<double, 2>& range, const ColorMap& map, const Rgba& background);
 
-/// What a report tells beside its rows.
+/// The facts of a report in addition to its rows.
 struct TradeFacts
 {
-  std::vector<std::pair<std::string, std::string>> lines; ///< of the scene: names and values
+  std::vector<std::pair<std::string, std::string>> lines; ///< names and values of the scene
   std::array<double, 2> range{};
   double share = 0.99;
   int bins = 256;
   bool ofNext = false;        ///< plots show the times of later cuts
-  std::string recommendation; ///< empty: none was asked for
-  std::string script;         ///< the file that makes the recommended linear surface; or empty
-  std::string command;        ///< that makes it all again
+  std::string recommendation; ///< empty: no target was given
+  std::string script;         ///< the file that makes the recommended linear surface; empty: none
+  std::string command;        ///< reproduces the report
 };
 
-/// Writes the plots, the exact picture, and of each setting its picture and that of its errors into
-/// a folder, and report.html, which holds them all and needs no other file. Throws Error where a
+/// Writes the plots, the exact picture, and each setting's picture and picture of errors into a
+/// folder, and report.html, which contains them all and needs no other file. Throws Error where a
 /// file cannot be written.
 void WriteTradeReport(const std::string& folder, const TradeScene& scene, const Picture& truth,
   const std::vector<TradeRow>& rows, const TradeFacts& facts, const Rgba& background);
 
-/// The error of so many of the shown pixels against the time, both axes logarithmic.
+/// Plots the error in the share of the shown pixels against the time, both axes logarithmic.
 [[nodiscard]] std::vector<std::uint8_t> DrawPareto(
   const std::vector<TradeRow>& rows, const TradeFacts& facts, int width, int height);
-/// The mean error against the spacing, with lines of second order.
+/// Plots the mean error against the spacing, with lines of second order.
 [[nodiscard]] std::vector<std::uint8_t> DrawConvergence(
   const std::vector<TradeRow>& rows, const TradeFacts& facts, int width, int height);
 } // namespace pixelexact

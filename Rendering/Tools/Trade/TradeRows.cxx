@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Over the range, of errors that tell an order.
+/// Errors below this, relative to the range, are not used for the order of convergence.
 constexpr double kMinError = 1e-6;
 
 /// The slope of the logarithms, by least squares.
@@ -58,7 +58,7 @@ std::string ShortNumber(double number)
 void Measure(const TradeScene& scene, TradeRow& row, const Picture& truth,
   const ErrorMeasure& measure, int turn, bool last)
 {
-  // One at a time: runs hold models.
+  // One run at a time, because runs keep models in memory.
   const std::unique_ptr<TradeRun> run = MakeRun(scene, row.setting);
   const TradeTime time = run->Measure();
   if (turn == 0)

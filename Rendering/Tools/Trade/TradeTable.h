@@ -8,7 +8,7 @@
 
 #include <vector>
 
-// What is printed of a comparison.
+// Printed tables and JSON of a comparison.
 namespace pixelexact
 {
 [[nodiscard]] nlohmann::ordered_json ToJson(

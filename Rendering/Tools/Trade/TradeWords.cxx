@@ -35,7 +35,7 @@ std::string HasText(const TradeRow& row, const TradeTarget& target, const TradeF
     target.ofNext ? "for a later cut" : "to the first picture");
 }
 
-/// What makes the picture of an exact setting.
+/// The command that makes the picture of an exact setting.
 std::string CommandOf(const TradeSetting& setting, std::vector<std::string> words)
 {
   constexpr std::string_view kStride = "exact-stride-";

@@ -9,12 +9,12 @@
 
 namespace pixelexact
 {
-/// Of compare's command line the words that make the scene, for render.
+/// The words of compare's command line that describe the scene, for render.
 [[nodiscard]] std::vector<std::string> SceneWords(
   const std::vector<std::string>& words, const std::vector<std::string>& chosen);
 
-/// The recommended setting, its margin, and what makes its picture; or that there is none, and what
-/// comes nearest.
+/// The recommended setting, its margin, and the command that makes its picture; if none meets the
+/// target, a text that states this and names the nearest setting.
 [[nodiscard]] std::string Describe(const Recommendation& recommended, const TradeTarget& target,
   const TradeFacts& facts, const std::vector<std::string>& sceneWords);
 } // namespace pixelexact

@@ -30,10 +30,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Widgets are picked by what they draw; the cut is there, so that it need not be seen.
+/// Opacity of widgets. They must be drawn to be picked, but the cut itself is visible.
 constexpr double kUnseen = 0.01;
 
-/// Dragging leaves roundings where 0 is meant, among numbers of that size.
+/// Replaces roundings that dragging leaves by 0; `size` is the magnitude of the numbers.
 std::vector<double> Clean(std::vector<double> numbers, double size)
 {
   std::ranges::transform(
@@ -41,7 +41,7 @@ std::vector<double> Clean(std::vector<double> numbers, double size)
   return numbers;
 }
 
-/// "--sphere=0,0,0.5,1"
+/// The option with its numbers: "--sphere=0,0,0.5,1".
 std::string Worded(
   const char* option, std::vector<double> numbers, const std::vector<double>& more = {})
 {
@@ -65,7 +65,7 @@ public:
     std::array<double, 6> box{};
     std::copy_n(bounds, 6, box.begin());
     Shape->PlaceWidget(box.data());
-    // Its arrow stands in the middle of the mesh.
+    // Puts the widget's arrow near the middle of the mesh.
     std::array<double, 3> middle{};
     vtkBoundingBox(bounds).GetCenter(middle.data());
     Cut->ProjectPoint(middle.data(), middle.data());
@@ -110,7 +110,7 @@ private:
   vtkNew<vtkImplicitPlaneWidget2> Control;
 };
 
-/// Left: moves it, right: its radius.
+/// The left button moves the sphere, the right one changes its radius.
 class DraggedSphere final : public DraggedShape
 {
 public:
@@ -215,7 +215,7 @@ private:
   vtkNew<vtkImplicitCylinderWidget> Control;
 };
 
-/// Its handles move its faces, that in the middle all of it.
+/// Handles on the faces move these; the middle one moves the box.
 class DraggedBox final : public DraggedShape
 {
 public:
@@ -234,7 +234,7 @@ public:
     }
     Shape->SetPlaceFactor(1.0);
     Shape->PlaceWidget(box.data());
-    // --box stands along the axes.
+    // --box is aligned with the axes.
     Control->RotationEnabledOff();
     Shape->GetOutlineProperty()->SetColor(0.0, 0.0, 0.0);
   }
@@ -255,7 +255,7 @@ public:
 private:
   [[nodiscard]] std::vector<double> Numbers() const
   {
-    // Of the box itself: GetBounds has the handles, too.
+    // Uses the box itself, because GetBounds includes the handles.
     vtkNew<vtkPolyData> faces;
     Shape->GetPolyData(faces);
     vtkBoundingBox box;

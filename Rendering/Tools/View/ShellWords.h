@@ -10,14 +10,14 @@
 
 namespace pixelexact
 {
-/// Runs the command-line tool that is beside this program, without its table, and waits for it.
-/// Whether it succeeded; what it says goes to stderr.
+/// Runs the command-line tool beside this program, without its table, and waits for it. Returns
+/// whether it succeeded; its messages go to stderr.
 bool RunTool(const std::vector<std::string>& words);
 
-/// What a window shows, beside what its command line said.
+/// The state of a window that differs from its command line.
 struct ShownNow
 {
-  std::string surface; ///< "--plane=...", in the place of the first one of its kind; empty: none
+  std::string surface; ///< "--plane=...", replaces the first one of its kind; empty: none
   CameraView view;
   std::optional<std::array<double, 2>> range; ///< of the colour map, where there is one
   std::optional<int> step;
@@ -26,8 +26,8 @@ struct ShownNow
   std::string output;
 };
 
-/// The words of render for the figure of what a window shows. `words`: of view, as PrepareWords
-/// gives them; `contours`: of --contours where they do not say.
+/// The words of render for a figure of the window's picture. `words`: those of view, from
+/// PrepareWords; `contours`: value of --contours where the words have none.
 std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::string>& words,
   const std::vector<std::string>& chosen, const std::string& contours);
 } // namespace pixelexact

@@ -19,7 +19,7 @@ class vtkSliderWidget;
 
 namespace pixelexact
 {
-/// Calls a function at an event; what it holds lives as long as the object.
+/// Calls a function at an event. The function object lives as long as the observed object.
 template <class Function>
 void Observe(vtkObject* object, unsigned long event, Function function)
 {
@@ -40,7 +40,7 @@ public:
   StepSlider(const StepSlider&) = delete;
   StepSlider& operator=(const StepSlider&) = delete;
 
-  /// `moved`: called with the step where it was let go.
+  /// `moved` is called with the step when the slider is released.
   void AddTo(vtkRenderWindowInteractor* interactor, int steps, std::function<void(int)> moved);
   void Set(int step);
 
@@ -49,7 +49,7 @@ private:
   vtkNew<vtkSliderRepresentation2D> Shape;
 };
 
-/// What a window tells over its picture: a line of what is there, the keys, the colours' bar.
+/// Texts over a window's picture: a status line, the keys, the colour bar.
 class ViewTexts
 {
 public:
@@ -61,7 +61,7 @@ public:
   /// `table` null: there is no bar.
   void AddTo(vtkRenderer& renderer, vtkLookupTable* table, const std::string& field);
   void Tell(const std::string& text);
-  /// The help, or the key that shows it.
+  /// Switches between the help and the key that shows it.
   void TurnHelp();
   void SetTable(vtkLookupTable* table);
 

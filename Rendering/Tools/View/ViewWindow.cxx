@@ -35,10 +35,10 @@ namespace pixelexact
 {
 namespace
 {
-/// What tracing may take between two events; drawing comes to that.
+/// Time of tracing between two events, which limits the time of a frame.
 constexpr double kSeconds = 0.03;
 
-/// Turns and moves the camera as VTK's, whose keys are left out.
+/// Turns and moves the camera as VTK's style does, without its keys.
 class Style final : public vtkInteractorStyleTrackballCamera
 {
 public:
@@ -315,7 +315,7 @@ void ViewWindow::Show()
   Observe(Interactor, vtkCommand::MouseMoveEvent,
     [this]
     {
-      // While a button is down, the view or the plane moves.
+      // While a button is down, it moves the view or the plane.
       auto* style = vtkInteractorStyle::SafeDownCast(Interactor->GetInteractorStyle());
       if (style->GetState() == VTKIS_NONE && !Dragging)
       {

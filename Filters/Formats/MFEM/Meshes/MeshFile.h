@@ -32,14 +32,12 @@ struct MeshFile
   std::vector<Cell> elements; ///< leaves of the refinement, in MFEM's order
   std::vector<Cell> boundary;
   int vertices = 0;
-  std::vector<double>
-    coordinates; ///< three per vertex, z = 0 in a plane; empty: the mesh has nodes
+  std::vector<double> coordinates; ///< three per vertex, z = 0 in a plane; empty: see nodes
   std::optional<GridFunctionFile> nodes;
   std::vector<Group> groups;
   bool isNumbered = true; ///< numbered as in MFEM, which grid functions need
   std::set<int> sharing;  ///< processes that share entities with a piece, and its own
-  int ranks =
-    1; ///< least number of processes that a piece of a parallel mesh names; 1: not a piece
+  int ranks = 1;          ///< least number of processes of a parallel mesh; 1: not a piece of one
   /// Set for a NURBS mesh: its elements are knot spans, its nodes control points. A piece of a
   /// parallel NURBS mesh has elements only after JoinNurbs.
   std::shared_ptr<const NurbsMesh> nurbs;
