@@ -23,7 +23,7 @@ class HighOrderModel;
 class ModelSource;
 class WholeMesh;
 
-/// Which mesh a filter takes. The modes differ where several processes each have a part of it.
+/// The mesh that a filter needs where several processes have parts of it.
 enum class MeshScope
 {
   WholeOnFirst, ///< the whole mesh on the first process; the output of the others is empty
@@ -118,7 +118,7 @@ protected:
 };
 } // namespace pixelexact
 
-// VTK's wrappers know no templates: they take the superclass that VTK has.
+// VTK's wrappers do not support templates, so they get VTK's superclass.
 #ifdef __VTK_WRAP__
 #define PIXELEXACT_MESH_FILTER(algorithm) algorithm
 #else

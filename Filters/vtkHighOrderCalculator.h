@@ -53,9 +53,10 @@ public:
 
   ///@{
   /**
-   * Whether point data of the field's name are added for filters that know no definitions: its
-   * values at the grid's points, of one of the cells that share a point; NaN where a point is in no
-   * element. On Lagrange cells that is the nodal interpolant of their order. On by default.
+   * Whether point data with the field's name are added for filters that do not evaluate
+   * definitions. They are its values at the grid's points in one of the cells that share a point;
+   * NaN where a point is in no element. On Lagrange cells this is the nodal interpolant of their
+   * order. On by default.
    */
   vtkSetMacro(PointValues, bool);
   vtkGetMacro(PointValues, bool);

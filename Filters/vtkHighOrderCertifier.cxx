@@ -131,7 +131,7 @@ bool vtkHighOrderCertifier::Make(vtkDataObject* input, vtkDataObject* output)
   for (std::size_t e = 0; e < cells.size(); ++e)
   {
     verdict->SetValue(cells[e], static_cast<unsigned char>(validity[e].validity));
-    // Both hold: the search for the sign may know more of the end at zero.
+    // Both ranges are valid; the search for the sign may have a tighter end at zero.
     CertifiedRange both = jacobian[e];
     both.outer = Intersect(both.outer, validity[e].jacobian.outer);
     bounds.Set(cells[e], 0, both);

@@ -46,8 +46,8 @@ public:
 
   ///@{
   /**
-   * How far bounds may be from values that are attained, as a part of the element's range of
-   * values. From 1e-9 to 1, default 0.01.
+   * Largest distance of bounds from attained values, relative to the element's range of values.
+   * From 1e-9 to 1, default 0.01.
    */
   vtkSetClampMacro(Tolerance, double, 1e-9, 1.0);
   vtkGetMacro(Tolerance, double);

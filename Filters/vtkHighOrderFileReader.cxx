@@ -137,7 +137,7 @@ SolverModel vtkHighOrderFileReader::ReadPart(int step, bool wantMesh)
   }
   catch (const std::exception& error)
   {
-    // Not yet: the other processes wait for this one.
+    // The error is thrown later, because the other processes wait for this one.
     problem = error.what();
   }
   PieceCounts counts{ model.piecesOfRun, {} };
@@ -221,7 +221,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
   }
   catch (const std::exception& error)
   {
-    // Half of what was asked for is not kept.
+    // An incomplete result is not kept.
     output->Initialize();
     this->MeshGrid = nullptr;
     vtkErrorMacro(<< error.what());

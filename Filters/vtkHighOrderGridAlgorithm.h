@@ -25,7 +25,8 @@ public:
 
   ///@{
   /**
-   * Of the last execution: lines about what looks wrong in the data. They were also warnings.
+   * Diagnostics of the last execution: lines about suspicious data. They were also issued as
+   * warnings.
    */
   int GetNumberOfDiagnostics();
   std::string GetDiagnostic(int index);

@@ -36,7 +36,7 @@ namespace
 {
 using namespace pixelexact;
 
-/// Adds values of `from`, those of the numbered points, behind what `to` has.
+/// Appends the values of the numbered points in `from` to `to`.
 void Append(vtkPointData* from, const std::vector<std::int64_t>& numbers, vtkPointData* to)
 {
   vtkNew<vtkIdList> ids;

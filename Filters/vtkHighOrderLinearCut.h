@@ -3,18 +3,18 @@
  * @class   vtkHighOrderLinearCut
  * @brief   a cut-surface as triangles with the fields at their corners: a linear baseline
  *
- * The cut-surface of a function is triangulated, as finely as asked for, and the fields are
- * evaluated at the triangles' corners: exact there, up to rounding, and only there. VTK's mappers
- * interpolate linearly between them. What that costs is what vtkHighOrderMapper is for.
+ * Triangulates the zeros of a function at a given resolution and evaluates the fields at the
+ * triangles' corners. Values are exact there, up to rounding. VTK's mappers interpolate linearly
+ * between corners.
  *
- * A plane becomes a grid of squares, each two triangles. Through any other function's surface cubes
- * are marched, and the corners brought onto the surface, to rounding; what lies between corners of
- * the cubes is missed. Triangles of which some corners are outside of
- * the mesh, or undecided, end where the mesh does, to 2^-16 of their sides; what lies between
- * corners of one kind, a hole or a tip smaller than a triangle, is not seen.
+ * A plane becomes a grid of squares, each divided into two triangles. Surfaces of other functions
+ * are triangulated by marching cubes, and the corners are moved onto the surface, to rounding.
+ * Parts of the surface between corners of the cubes are missed. Triangles that have corners outside
+ * of the mesh, or undecided ones, end at the mesh's boundary, to 2^-16 of their sides. A hole or a
+ * tip that is smaller than a triangle is missed.
  *
- * Point data: the fields, and Element, Xi, Verdict and Residual as of vtkHighOrderProbe, of
- * composite data, which is one mesh, also Block.
+ * Point data: the fields, and Element, Xi, Verdict and Residual as in vtkHighOrderProbe; for
+ * composite data, which are one mesh, also Block.
  */
 
 #ifndef vtkHighOrderLinearCut_h

@@ -84,7 +84,7 @@ int vtkHighOrderPack::RequestData(vtkInformation* /*request*/, vtkInformationVec
   }
   catch (const std::exception& error) // memory may run out too
   {
-    // Not yet: the other processes wait for this one's widths.
+    // The error is thrown later, because the other processes wait for this one's widths.
     problem = error.what();
   }
   widths = CommonWidths(widths, this->Controller);

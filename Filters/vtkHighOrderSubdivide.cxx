@@ -45,7 +45,7 @@ std::vector<vtkUnstructuredGrid*> GridsOf(vtkDataObject* data)
   return grids;
 }
 
-/// By name, one array of each grid; none where one of them lacks it or has another kind.
+/// The arrays with this name, one of each grid; empty where a grid lacks it or has another kind.
 std::vector<vtkAbstractArray*> AlikeOf(
   const std::vector<vtkUnstructuredGrid*>& grids, const char* name)
 {
@@ -118,7 +118,7 @@ void SpreadCellArrays(vtkDataObject* grid, const HighOrderModel& model,
   }
 }
 
-/// That it takes for a cell, about.
+/// Approximate bytes of cell arrays per cell.
 [[nodiscard]] double BytesOfCellArrays(vtkDataObject* grid)
 {
   double bytes = 0.0;

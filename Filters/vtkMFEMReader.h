@@ -57,7 +57,7 @@ private:
   void operator=(const vtkMFEMReader&) = delete;
 
   std::vector<std::string> GridFunctions;
-  std::vector<std::string> Steps; ///< root files beside FileName
+  std::vector<std::string> Steps; ///< further root files
   std::vector<std::string> Order; ///< all root files, by time
 };
 

@@ -103,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Of the last execution: cells left out; elements of a field with a coefficient that is NaN or
-   * infinite.
+   * Results of the last execution: number of cells left out; number of elements with a coefficient
+   * that is NaN or infinite.
    */
   vtkGetMacro(NumberOfSkippedCells, vtkIdType);
   int GetNumberOfNonFiniteElements(const std::string& field);

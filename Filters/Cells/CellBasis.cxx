@@ -90,9 +90,9 @@ CellBasis MakeFixedCellBasis(const CellKind& kind)
   return basis;
 }
 
-// VTK evaluates its functions in double. At few-bit parametric coordinates that is exact (sums and
-// products of few bits), so they are sampled there, on a tensor grid in eta, and interpolated from
-// it in long double: the map knows no rounding of VTK's.
+// VTK evaluates its functions in double. At parametric coordinates of few bits this is exact (sums
+// and products of few bits). The functions are sampled there, on a tensor grid in eta, and
+// interpolated in long double, so that the map has no rounding of VTK's.
 
 /// VTK's parametric coordinates of eta.
 std::array<double, 3> Parametric(int type, Shape shape, const Vec3& eta)
@@ -216,7 +216,7 @@ private:
 
 std::string CellTypeName(int type)
 {
-  // VTK has the types of these two, but no classes.
+  // VTK defines these two types, but has no classes for them.
   if (type == VTK_LAGRANGE_PYRAMID || type == VTK_BEZIER_PYRAMID)
   {
     return type == VTK_LAGRANGE_PYRAMID ? "VTK_LAGRANGE_PYRAMID" : "VTK_BEZIER_PYRAMID";

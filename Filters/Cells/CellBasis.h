@@ -83,9 +83,9 @@ bool IsHigherOrderPlaneCell(int type);
 CellBasis MakeHigherOrderCellBasis(const CellKind& kind);
 CellBasis MakeHigherOrderPlaneCellBasis(const CellKind& kind);
 
-/// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 run the other way along s
-/// than `kind.nodes` says: MFEM writes them mirrored. The kind must be one of order >= 3 in the
-/// triangle and >= 2 along t.
+/// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 are mirrored along s in
+/// comparison with `kind.nodes`, as in files of MFEM. The kind must have order >= 3 in the triangle
+/// and >= 2 along t.
 ChangeOfBasis MakeOtherWedge(const CellKind& kind);
 
 /// A VTK cell of a kind, whose point ids are the positions in the cell; all points are the origin.

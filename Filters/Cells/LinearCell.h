@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-// VTK's linear cells between elements' vertices. VTK takes a cell's volume for positive where its
+// VTK's linear cells between elements' vertices. VTK computes a positive volume for a cell whose
 // faces' corners run counter-clockwise as seen from outside. For tetrahedra, hexahedra and pyramids
-// that is a right-handed cell; wedges are left-handed to VTK 9.6 and right-handed from 9.7 on. So
-// cells are wound by VTK's own lists of faces, wherever their elements' maps are right- or
-// left-handed.
+// this is a right-handed cell; wedges are left-handed up to VTK 9.6 and right-handed from 9.7 on.
+// Cells are therefore oriented by VTK's own lists of faces, whatever the handedness of the
+// elements' maps.
 namespace pixelexact
 {
 struct Mesh;

@@ -92,8 +92,8 @@ private:
     return Numbers[static_cast<std::size_t>(p.k * (N + 1) + p.j) * (N + 1) + p.i];
   }
 
-  /// Those of its corners that `p` and steps from it are; none where one of them is not in the
-  /// shape.
+  /// Adds the cell with corners at `p` and at steps from it; nothing where a corner is outside of
+  /// the shape.
   void AddCell(int type, const LatticePlace& p, std::initializer_list<LatticePlace> steps)
   {
     std::vector<int> corners;
@@ -146,8 +146,8 @@ private:
       { { 1, 1, 0 }, { 1, 1, 1 }, { 0, 1, 1 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 0, 1 } });
   }
 
-  /// Of a cube's six, one at its corner, four about a diagonal of the octahedron in the middle, one
-  /// at the opposite corner.
+  /// Adds those of a cube's six tetrahedra that are in the shape: one at its corner, four about a
+  /// diagonal of the octahedron in the middle, one at the opposite corner.
   void AddTetrahedra(const LatticePlace& p)
   {
     AddCell(VTK_TETRA, p, { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
@@ -160,8 +160,8 @@ private:
     AddCell(VTK_TETRA, p, { { 1, 1, 1 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } });
   }
 
-  /// One that stands on a square of its layer, one that hangs from the next layer's, and tetrahedra
-  /// between neighbours that stand.
+  /// Adds a pyramid on a square of its layer, one pointing down from the next layer's square, and
+  /// tetrahedra between neighbouring upright pyramids.
   void AddPyramids(const LatticePlace& p)
   {
     AddCell(VTK_PYRAMID, p, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });

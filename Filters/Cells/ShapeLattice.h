@@ -13,10 +13,10 @@
 
 namespace pixelexact
 {
-/// A shape's reference space, cut into linear cells of VTK's: each edge of the shape into as many
-/// parts, faces into squares and triangles of them, so that cells of neighbours fit. A hexahedron
-/// becomes n^3 hexahedra, a prism n^3 wedges, a tetrahedron n^3 tetrahedra, a pyramid n (2 n^2 + 1)
-/// / 3 pyramids and 2 n (n^2 - 1) / 3 tetrahedra.
+/// A shape's reference space, divided into VTK's linear cells. Each edge of the shape has n parts,
+/// and faces are divided into squares and triangles of that size, so that cells of neighbours
+/// match. A hexahedron becomes n^3 hexahedra, a prism n^3 wedges, a tetrahedron n^3 tetrahedra, a
+/// pyramid n (2 n^2 + 1) / 3 pyramids and 2 n (n^2 - 1) / 3 tetrahedra.
 struct ShapeLattice
 {
   std::vector<Vec3> points;         ///< in xi, each once
@@ -35,7 +35,7 @@ struct ShapeLattice
 
 inline constexpr int kMaxSubdivisions = 5;
 
-/// Something of each shape and level, made when it is first asked for.
+/// An object for each shape and level, created on first use.
 template <class Thing>
 class PerLevel
 {

@@ -32,8 +32,8 @@ public:
   KeptMesh();
   ~KeptMesh();
 
-  /// Adds the arrays to `grid`, whose cell e is element e of `mesh`, and says true if they are what
-  /// a conversion would make of it: the same cells, of the same points, by the fingerprints.
+  /// Adds the arrays to `grid`, whose cell e is element e of `mesh`, where a conversion would give
+  /// the same: the same cells of the same points, by the fingerprints. Returns whether it did.
   bool AddTo(const SourceMesh& mesh, vtkUnstructuredGrid* grid) const;
 
   /// Keeps the arrays of a grid that was just converted.
@@ -48,13 +48,13 @@ private:
   double Roundoff = 0.0;
   vtkSmartPointer<vtkFieldData> Arrays;
   vtkSmartPointer<vtkDataArray> Ids;
-  vtkMTimeType Time = 0; ///< of the arrays: nobody is to have changed them
+  vtkMTimeType Time = 0; ///< modification time of the arrays, to detect changes
 };
 
-// Where the slab of a plane mesh lies: FieldData PixelExact.Mesh.Slab, double x 2, middle and
-// thickness along z. Absent: the mesh is no plane one.
+// Position of the slab of a plane mesh: FieldData PixelExact.Mesh.Slab, double x 2, middle and
+// thickness along z. Absent for meshes that are not plane.
 
-/// To be called after StoreMesh, which drops what was there.
+/// Stores the slab. Must be called after StoreMesh, which removes old arrays.
 void StoreSlab(const Slab& slab, vtkUnstructuredGrid* grid);
 
 /// None also where the array holds what no slab has.

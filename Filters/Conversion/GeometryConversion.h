@@ -21,7 +21,7 @@ struct ElementGeometry
 /// Throws InvalidData where the element is too large for doubles.
 ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element);
 
-/// As many coefficients as the map of an element can have.
+/// The largest possible number of coefficients of an element's map.
 std::size_t MostCoefficients(const SourceMesh& mesh, int element);
 } // namespace pixelexact
 #endif

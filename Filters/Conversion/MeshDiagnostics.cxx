@@ -24,7 +24,7 @@ namespace
 constexpr double kMuchSmoother = 10.0;
 /// Relative to the edge: smaller modes of its map are ignored.
 constexpr double kNear = 1e-5;
-/// Edges of so many nodes are alike in all placements.
+/// Edges with at most this number of nodes are the same in all placements.
 constexpr std::size_t kNodesAlike = 3;
 
 std::string OutOf(int some, int all)
@@ -101,7 +101,7 @@ void DiagnoseMirroredWedges(const SourceMesh& mesh, std::vector<std::string>& li
   }
 }
 
-/// Where the nodes along an edge may stand.
+/// The placements of nodes along an edge.
 enum Placement
 {
   kEquispaced,
@@ -135,7 +135,7 @@ std::vector<long double> PointsOf(Placement placement, int n)
 class LineModes
 {
 public:
-  /// Gauss-Jordan elimination of the points' Legendre values with the unit matrix beside them.
+  /// Gauss-Jordan elimination of the points' Legendre values, with the unit matrix appended.
   explicit LineModes(const std::vector<long double>& points)
     : Count(points.size())
     , Inverse(Count * Count)
@@ -207,13 +207,13 @@ private:
   std::vector<double> Inverse; ///< by mode and point
 };
 
-/// By placement, for edges of one order.
+/// Modes by placement, for edges of one order.
 using PlacedModes = std::vector<LineModes>;
 
-/// Returns the placement with which the map of an edge is much smoother than with the one that its
-/// nodes are taken for, or the latter where it is much smoother than another; none where no two
-/// placements differ much. Two placements are compared by their modes from each degree above 2 on:
-/// those of the nodes' true places end with the order of the geometry, or fall faster.
+/// Returns the placement for which the map of an edge is much smoother than for the assumed one, or
+/// the assumed one where it is much smoother than another; none where no two placements differ
+/// much. Two placements are compared by their modes from each degree above 2 on: for the true
+/// placement the modes end at the order of the geometry, or decrease faster.
 std::optional<Placement> ClassifyEdge(
   const PlacedModes& modes, const std::vector<Vec3>& nodes, Placement taken, double roundoff)
 {

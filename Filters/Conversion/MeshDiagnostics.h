@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// Signs that a file does not mean what VTK's conventions make of it. All of it is judged from
-// samples: a warning is a strong hint, silence proves nothing.
+// Signs that a file does not follow VTK's conventions. All of them are found by sampling: a warning
+// is a strong hint, its absence proves nothing.
 namespace pixelexact
 {
 /// Lines about the nodes' order and places; none where nothing is conspicuous.
@@ -23,13 +23,12 @@ namespace pixelexact
 /// - What DiagnoseNodeOrder finds.
 std::vector<std::string> DiagnoseNodes(const SourceMesh& source);
 
-/// Adds lines about cells whose nodes on edges or faces fit other edges or faces: they are in
-/// another program's order, whose name is given where it is known, and the line says which node
-/// goes where.
+/// Adds lines about cells whose nodes on edges or faces fit other edges or faces, which indicates
+/// another program's order of nodes. A line states the permutation and, where known, the program.
 void DiagnoseNodeOrder(const SourceMesh& source, std::vector<std::string>& lines);
 
-/// A line about cells that stand at the same place as others and so count twice; none where there
-/// are none. Parallel.
+/// Lines about cells at the same place as others, which count twice; empty where there are none.
+/// Parallel.
 std::vector<std::string> DiagnoseSameCells(vtkUnstructuredGrid* grid);
 
 /// Lines about elements whose Jacobian determinant vanishes or changes sign at sampled points, or

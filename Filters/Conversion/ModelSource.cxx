@@ -129,7 +129,7 @@ std::string ChosenName(vtkAlgorithm* filter, const std::string& given)
   {
     return given;
   }
-  // Not GetInputArrayInformation(0), which would make an entry where there is none.
+  // GetInputArrayInformation(0) would create an entry where there is none.
   vtkInformationVector* arrays =
     filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
   vtkInformation* array = arrays != nullptr ? arrays->GetInformationObject(0) : nullptr;

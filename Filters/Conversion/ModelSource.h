@@ -44,7 +44,7 @@ private:
   KeptMesh& Kept(std::size_t part);
 
   vtkSmartPointer<vtkDataObject> Converted;
-  DataState Source; ///< that it was made of
+  DataState Source; ///< of the data from which the model was made
   // Keeps the model until the next one exists, which may share its locator.
   std::shared_ptr<HighOrderModel> Model;
   std::vector<std::unique_ptr<KeptMesh>> Meshes; ///< by leaf

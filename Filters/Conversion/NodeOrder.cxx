@@ -22,11 +22,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Nodes are taken for another's where they are nearer to it by this factor, in the mean.
+/// A node is assigned to another place where it is nearer to it by this factor, in the mean.
 constexpr double kMuchNearer = 3.0;
 /// The number of cells that are examined, evenly spread over the mesh.
 constexpr int kMaxExamined = 20000;
-/// Part of the cells of a kind below which their nodes are taken for badly placed.
+/// Share of the cells of a kind below which nodes count as badly placed, not as reordered.
 constexpr double kFewest = 0.1;
 
 /// An edge, a face, or the inside of a cell: positions in the cell.
@@ -37,7 +37,7 @@ struct Entity
 };
 using Entities = std::vector<Entity>;
 
-/// Those of a kind of cell that have nodes of their own, as VTK numbers them.
+/// The edges and faces of a kind of cell that have nodes inside, in VTK's numbering.
 Entities EntitiesOf(const CellKind& kind)
 {
   const auto cell = MakeCell(kind);

@@ -21,11 +21,11 @@ struct CellPlace
   auto operator<=>(const CellPlace&) const = default;
 };
 
-/// Cells that stand at the same place: each group has two or more, in the order of the grids and
+/// Finds cells at the same place. Each group has two or more cells, in the order of the grids and
 /// their cells. Cells are the same where they have the same type and number of points, and where
-/// the boxes and the means of their corners differ by no more than roundings of the coordinates.
-/// Points, lines, cells without points and cells of types that VTK does not know are in no group.
-/// Parallel; the time grows as N log N with the number of cells.
+/// the boxes and the means of their corners agree up to roundings of the coordinates. Points,
+/// lines, cells without points and cells of types unknown to VTK are in no group. Parallel; the
+/// time grows as N log N with the number of cells.
 std::vector<std::vector<CellPlace>> SameCells(std::span<vtkUnstructuredGrid* const> grids);
 } // namespace pixelexact
 #endif

@@ -20,9 +20,9 @@ struct FieldArrays
   std::vector<vtkDataArray*> cells;
 };
 
-/// All numeric arrays, or those of the given names, of PointData, then of CellData; where both have
-/// a name, that of PointData. Left out unless named: ids, ghost flags, weights and degrees. Throws
-/// InvalidData for a name that is not there.
+/// Returns all numeric arrays, or those with the given names, of PointData, then of CellData; an
+/// array of PointData precedes one of CellData with the same name. Ids, ghost flags, weights and
+/// degrees are left out unless named. Throws InvalidData for a name that does not exist.
 FieldArrays SelectFields(vtkUnstructuredGrid* grid, const std::vector<std::string>& names);
 
 class SourceMesh;
@@ -35,8 +35,8 @@ inline constexpr const char* kSourceFaces = "PixelExactSourceFaces";
 /// Adds that array; none for no faces. `element` in `faces` is the cell.
 void AddSourceFaces(std::span<const AttributedFace> faces, vtkUnstructuredGrid* grid);
 
-/// What the array of `grid` says of the elements of `mesh`. Throws InvalidData for an array of
-/// other numbers.
+/// The attributes of elements' faces in the array of `grid`. Throws InvalidData for an array with
+/// another number of values.
 std::vector<AttributedFace> SourceFacesOf(vtkUnstructuredGrid* grid, const SourceMesh& mesh);
 } // namespace pixelexact
 #endif

@@ -20,8 +20,8 @@ class HighOrderModel;
 PIXELEXACTFILTERS_EXPORT void ToPolyData(const ContourSet& set, const HighOrderModel& model,
   const std::string& name, const std::vector<double>& values, vtkPolyData* output);
 
-/// Lines of text about what was found, and about all that could not be decided or drawn. The second
-/// alone: empty where all is certified.
+/// Lines of text about the results, with everything that is undecided or not drawn. The second
+/// function returns only the latter; it is empty where everything is certified.
 PIXELEXACTFILTERS_EXPORT std::string DescribeContours(const ContourSet& set);
 PIXELEXACTFILTERS_EXPORT std::string DescribeDoubts(const ContourReport& report);
 } // namespace pixelexact

@@ -97,9 +97,9 @@ std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const ImplicitPolynomial& fo
   return std::pair(n, axis);
 }
 
-/// A quadric, or the parallel planes that it consists of where its function depends on one
-/// direction n alone: two, or one where they coincide, at the equation's roots rounded to doubles,
-/// with gradients of the quadric's sense; none where there is no root. The subdivision cannot
+/// Returns a quadric, or the parallel planes of a quadric whose function depends on one direction n
+/// only: two, or one where they coincide, at the equation's roots rounded to doubles, with
+/// gradients in the quadric's direction; none where there is no root. The subdivision cannot
 /// separate two planes in boxes that are wider than their distance.
 std::vector<ImplicitPolynomial> PartsOf(const ImplicitPolynomial& given)
 {

@@ -16,9 +16,9 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// What integrals are taken over for the zeros of a function: PatchesOf, with pairs of parallel
-/// planes as planes. Throws Unsupported for other functions, naming those that are taken;
-/// InvalidData as PatchesOf.
+/// The surface patches of integrals over a function's zeros: PatchesOf, with pairs of parallel
+/// planes as planes. Throws Unsupported for other functions, naming the supported ones; InvalidData
+/// as PatchesOf.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<SurfacePatch> IntegralPatchesOf(
   vtkImplicitFunction* function);
 /// The same of any surface's parts.
@@ -28,8 +28,8 @@ class HighOrderModel;
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<ImplicitPolynomial> IntegralClipsOf(
   vtkImplicitFunction* function);
 
-/// The sum over the parts, each clipped further. `question`: its mesh is the model's; its cut,
-/// clips and box are not looked at.
+/// The sum of the integrals over the patches, each clipped by `clips` as well. `question`: its mesh
+/// must be the model's; its cut, clips and box are ignored.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT SurfaceIntegral IntegratePatches(
   const IntegralQuestion& question, std::span<const SurfacePatch> patches,
   std::span<const ImplicitPolynomial> clips, const HighOrderModel& model,

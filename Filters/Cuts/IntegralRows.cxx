@@ -140,7 +140,7 @@ SurfaceIntegral IntegrateBoundary(const IntegralQuestion& question,
   const IntegralEffort& effort)
 {
   SurfaceIntegral found = IntegrateFaces(question, BoundaryOf(model, attributes), effort);
-  // Faces that are asked for by attribute are drawn whole, too.
+  // Faces that are selected by attribute count whole, also where they are partly covered.
   found.covered = attributes.empty() ? model.Faces().CountOf(FaceKind::Partly) : 0;
   return found;
 }

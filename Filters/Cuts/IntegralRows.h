@@ -21,21 +21,22 @@ struct IntegralRow
   std::string quantity; ///< "Area", "Integral", "Mean", of vectors "Integral 0", ..., "Flux"
   Interval value;       ///< infinite: nothing is known
 
-  /// The middle, and how far it may be off; NaN and infinity where nothing is known.
+  /// The middle of the interval and a bound of its error; NaN and infinity where the interval is
+  /// unbounded.
   [[nodiscard]] PIXELEXACTFILTERS_EXPORT double Middle() const;
   [[nodiscard]] PIXELEXACTFILTERS_EXPORT double Error() const;
 };
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<IntegralRow> RowsOf(
   const IntegralQuestion& question, const SurfaceIntegral& found);
 
-/// What keeps the rows from being the integrals over all of the surface, a sentence each; none:
-/// nothing.
+/// One sentence for each reason why the rows do not cover the whole surface; empty where they do.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<std::string> DoubtsOf(
   const SurfaceIntegral& found, double tolerance);
 
-/// Over the faces of the mesh's boundary with these attributes; of no attributes the whole
-/// boundary, whose faces that are covered in part count whole. `question`: its mesh is the model's;
-/// its cut is not looked at. Throws InvalidData for an attribute that is not there.
+/// Integrates over the faces of the mesh's boundary with these attributes. Without attributes it
+/// integrates over the whole boundary, where partly covered faces count whole. `question`: its mesh
+/// must be the model's; its cut is ignored. Throws InvalidData for an attribute that does not
+/// exist.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT SurfaceIntegral IntegrateBoundary(
   const IntegralQuestion& question, std::span<const std::int32_t> attributes,
   const HighOrderModel& model, const IntegralEffort& effort);

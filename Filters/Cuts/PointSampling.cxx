@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDoubleArray> NewDoubles(
   return array;
 }
 
-/// One of two arrays of a name would take the other's place.
+/// Throws where an array of that name exists, because VTK would replace it.
 void Put(vtkPointData* output, vtkDataArray* array)
 {
   const std::string name = array->GetName();

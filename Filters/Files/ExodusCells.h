@@ -13,7 +13,7 @@ namespace pixelexact
 struct ExodusCell
 {
   int type = 0; ///< VTK_...
-  /// Which of the element's nodes is each of the cell's; empty: the orders are the same.
+  /// The element's node for each of the cell's nodes; empty: the orders are equal.
   std::span<const int> order;
 };
 
@@ -32,7 +32,7 @@ struct CellSide
   int face = 0;               ///< as FacesOf(shape) counts
 };
 
-/// Those of a VTK cell, linear, quadratic or Lagrange, in Exodus' order; none of others.
+/// The sides of a VTK cell (linear, quadratic or Lagrange) in Exodus' order; empty for others.
 std::span<const CellSide> SidesOf(int cellType);
 } // namespace pixelexact
 #endif

@@ -310,7 +310,7 @@ std::vector<Grid> GridFileReader::Read(const GridPart& part)
   }
   catch (const std::bad_alloc&)
   {
-    // A damaged header asks for any amount; so does a file that is too large.
+    // A damaged header may request any amount of memory, and so does a file that is too large.
     throw Error(CannotRead(part) + "it asks for more memory than there is");
   }
 }

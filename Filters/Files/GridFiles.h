@@ -16,7 +16,7 @@
 
 class vtkXMLReader;
 
-// The single files of which grids are put together.
+// Reads the single files that make up a grid.
 
 namespace pixelexact
 {
@@ -35,21 +35,21 @@ public:
 /// "ERROR: In x.cxx, line 7\nvtkReader (0x5581): Cannot read." becomes "Cannot read", on one line.
 PIXELEXACTFILTERS_EXPORT std::string MessageEssence(std::string_view text);
 
-/// Adds the essence of a warning, once. Left out are keys of vtkExodusIIReader, which ParaView
-/// saves with what it has read by it: they say nothing of mesh or fields.
+/// Adds the essential part of a warning, once. Warnings about keys of vtkExodusIIReader, which
+/// ParaView saves with its data, are left out: they do not concern mesh or fields.
 PIXELEXACTFILTERS_EXPORT void AddWarning(std::vector<std::string>& lines, std::string_view text);
 
-/// Adds a line that is not there yet.
+/// Adds a line unless it is already there.
 PIXELEXACTFILTERS_EXPORT void AddOnce(std::vector<std::string>& lines, const std::string& line);
 
-/// The .vtu and .vtk files of all parts, also those that .pvtu files name. Surfaces (.vtp) that a
-/// collection lists beside the volume are noted. Throws Error for other files, and where there is
-/// none.
+/// Lists the .vtu and .vtk files of all parts, also those that .pvtu files name. Surfaces (.vtp) in
+/// a collection with a volume are noted. Throws Error for other files, and where there is none.
 std::vector<GridPart> ListFiles(
   const std::vector<GridPart>& parts, std::vector<std::string>& notes);
 
-/// Reads files of unstructured grids, VTK's XML format or its legacy one: the content decides, not
-/// the suffix. VTK's warnings become notes; what several files have alike is said of the first one.
+/// Reads files of unstructured grids, in VTK's XML format or its legacy one; the content decides,
+/// not the suffix. VTK's warnings become notes; a warning for several files is noted for the first
+/// one.
 class GridFileReader
 {
 public:
@@ -66,7 +66,7 @@ private:
   std::set<std::string> Said;
 };
 
-/// How errors about a file begin.
+/// The beginning of errors about a file.
 [[nodiscard]] std::string CannotRead(const GridPart& part);
 } // namespace pixelexact
 #endif

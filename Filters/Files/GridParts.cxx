@@ -41,7 +41,7 @@ int DimensionOf(vtkUnstructuredGrid* grid)
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && highest < 3; ++cell)
   {
     const int dimension = CellDimension(grid->GetCellType(cell));
-    // Unknown: the converter says what it is.
+    // The converter reports unknown types.
     highest = std::max(highest, dimension < 0 ? 3 : dimension);
   }
   return highest;
@@ -63,9 +63,8 @@ Names ArrayNames(vtkUnstructuredGrid* grid)
   return names;
 }
 
-/// Makes the arrays that say what cells are alike in all parts, so that none is left out. Parts
-/// that lack them have cells of the usual kind: the weights of rational cells are 1, and degrees of
-/// 0 follow from the points.
+/// Adds the arrays of rational weights and degrees to parts that lack them, so that they are kept.
+/// The defaults mean ordinary cells: weights are 1, and degrees of 0 follow from the points.
 void FillCellKinds(const std::vector<Grid>& grids)
 {
   constexpr std::array kKinds{ vtkDataSetAttributes::RATIONALWEIGHTS,
@@ -240,7 +239,7 @@ void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>
   parts = std::move(kept);
 }
 
-/// Parts without cells in common, put together. `counts` gets their cells, by file.
+/// Joins parts without common cells. `counts` gets their cells, by file.
 Grid PutTogether(
   const std::vector<ReadPart>& parts, PieceCounts& counts, std::vector<std::string>& notes)
 {
@@ -295,7 +294,7 @@ void NoteRepeatedLabels(const std::vector<GridPart>& files, std::vector<std::str
   }
 }
 
-/// One of several processes reads its share of a single file.
+/// Reads the share of one of several processes in a single file.
 ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
 {
   ReadGrid result;

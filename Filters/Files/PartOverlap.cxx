@@ -102,7 +102,7 @@ public:
     grid->GetBounds(Bounds.data());
   }
 
-  /// `counts` says of a cell's number whether the cell is meant.
+  /// `counts(number)` returns whether the cell with this number is included.
   template <class Counts>
   bool Has(const std::array<double, 3>& x, const Counts& counts)
   {
@@ -157,8 +157,7 @@ std::vector<InsideGrid> InsideGrids(const std::vector<const ReadPart*>& parts)
   return grids;
 }
 
-/// Whether at least half of the centres of cells of the parts, some of them looked at, are inside
-/// of cells of `grids`.
+/// Whether at least half of the sampled centres of the parts' cells are inside cells of `grids`.
 bool Covers(std::vector<InsideGrid>& grids, const std::vector<const ReadPart*>& parts)
 {
   constexpr vtkIdType kSamples = 64; // of each part
@@ -269,8 +268,8 @@ Grid Bare(const std::vector<ReadPart>& parts, const std::vector<CellPlace>& mark
   return all ? all : Grid::New();
 }
 
-/// For each of this process's marked cells 1 where none of all processes has it unmarked and no
-/// process before, nor cell before, has it marked.
+/// For each of this process's marked cells: 1 where no process has it unmarked, and it is the first
+/// marked copy in the order of processes and cells.
 std::vector<char> FindUnowned(const std::vector<ReadPart>& parts,
   const std::vector<CellPlace>& marked, vtkMultiProcessController& processes,
   std::vector<std::string>& notes)

@@ -16,7 +16,7 @@ class vtkMultiProcessController;
 // Parts of a grid that overlap: each cell is to count once.
 namespace pixelexact
 {
-/// A grid of its own among those that are put together.
+/// A part with its own grid.
 struct ReadPart
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
@@ -24,10 +24,10 @@ struct ReadPart
   int number = 0; ///< of its file among all
 };
 
-/// Drops parts that a later one of the same label replaces, as where a run was continued and lists
-/// a time once more: at least half of each part's cells have their centre inside the other one, by
-/// samples. Parts of the same label that stand beside each other stay, and so do small ones within
-/// larger ones. Adds a note for each that is dropped.
+/// Drops parts that a later part with the same label replaces, as in a continued run that lists a
+/// time again: at least half of each part's cells have their centre inside the other part, by
+/// sampling. Parts with the same label that are disjoint stay, and so do small ones within larger
+/// ones. Adds a note for each dropped part.
 void DropReplacedParts(std::vector<ReadPart>& parts, std::vector<std::string>& notes);
 
 /// Drops cells so that each counts once:
@@ -42,9 +42,9 @@ void DropReplacedParts(std::vector<ReadPart>& parts, std::vector<std::string>& n
 /// the cells that are kept.
 void DropSharedCells(std::vector<ReadPart>& parts, std::vector<std::string>& notes);
 
-/// The same of marked cells alone, for one process of several, which does not have all parts. All
-/// of `processes` must call it; null: nobody can be asked, and all marked cells are dropped. A note
-/// is the first process's.
+/// The same for marked cells only, on one process of several, which does not have all parts. All of
+/// `processes` must call it; null: no other process is available, and all marked cells are dropped.
+/// The first process adds a note.
 void DropMarkedCells(std::vector<ReadPart>& parts, vtkMultiProcessController* processes,
   std::vector<std::string>& notes);
 

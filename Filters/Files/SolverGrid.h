@@ -31,7 +31,7 @@ namespace pixelexact
 using LayoutRule = std::function<CellLayout(const Mesh& mesh)>;
 
 /// Makes `grid` a grid of the mesh, without fields, and returns the layout that `rule` chose.
-/// Coefficients are handed on, not copied.
+/// Coefficients are moved, not copied.
 CellLayout StoreSolverMesh(SolverMesh&& mesh, const LayoutRule& rule, vtkUnstructuredGrid* grid);
 
 /// Adds a run's numbers to the FieldData, where no array has the name.

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-// Which .vtu files make up which time step. Throws Error, naming the file, for lists that cannot be
-// read.
+// Assigns .vtu files to time steps. Throws Error, naming the file, for lists that cannot be read.
 namespace pixelexact
 {
 /// A file of a grid that may have several.

@@ -13,9 +13,9 @@ namespace pixelexact
 /// coefficients are in the solver's local order.
 struct ElementBasis
 {
-  /// One part: functions with scalar values, each component of a field has `sources` coefficients
-  /// of its own. Three parts: functions with vector values (H(curl), H(div)); part d takes the same
-  /// `sources` coefficients to component d in reference space (xi, not the solver's unit element).
+  /// One part: scalar functions; each component of a field has its own `sources` coefficients.
+  /// Three parts: vector functions (H(curl), H(div)); part d maps the same `sources` coefficients
+  /// to component d in reference space (xi, not the solver's unit element).
   std::vector<ChangeOfBasis> parts;
   int sources = 0;
 
@@ -28,12 +28,12 @@ struct ElementBasis
 /// Functions with scalar values on a reference element.
 using SolidFunctions = std::function<void(const LongVec3& xi, long double* values)>;
 
-/// From `count` functions to those that the functionals take to one and zero: function j of the
-/// result is the sum over m of function m times the entry [m][j]. `functionals` has the value of
-/// functional k for function m at [k][m].
+/// The matrix from `count` functions to those that are dual to the functionals: function j of the
+/// result is the sum over m of function m times the entry [m][j]. `functionals` contains the value
+/// of functional k for function m at [k][m].
 std::vector<long double> DualMatrix(int count, const std::vector<long double>& functionals);
 
-/// The sums that such a matrix (`terms` rows, `count` columns) stands for.
+/// The functions that such a matrix (`terms` rows, `count` columns) gives as sums of `functions`.
 SolidFunctions Combined(
   SolidFunctions functions, int terms, const std::vector<long double>& matrix, int count);
 

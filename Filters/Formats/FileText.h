@@ -42,8 +42,8 @@ decltype(auto) NameErrors(const std::string& where, Function&& function)
   }
 }
 
-/// As ParseWhole; numbers beyond the range of doubles become zero or infinite, as the C library has
-/// it.
+/// Parses as ParseWhole. Numbers beyond the range of doubles become zero or infinite, as in the C
+/// library.
 bool ParseReal(std::string_view word, double& value);
 
 /// Whether a path leads to something that cannot be read twice, and may be waited for without an
@@ -80,8 +80,8 @@ public:
   /// where the text is not mapped.
   [[nodiscard]] std::span<char> Own() const;
 
-  /// Gives back the memory of the text from `begin` to `end`; where it is looked at again it comes
-  /// from the file. Throws InvalidData where the file has changed its size since.
+  /// Releases the memory of the text from `begin` to `end`; later accesses read the file. Throws
+  /// InvalidData where the file has changed its size since.
   void Forget(std::size_t begin, std::size_t end) const;
 
 private:
@@ -107,7 +107,7 @@ private:
   std::deque<FileText> Storage; ///< which stay where they are
 };
 
-/// Forgets a text behind one that reads it forward.
+/// Releases the pages of a text after a reader that moves forward.
 class ReadingTrace
 {
 public:
@@ -120,7 +120,7 @@ public:
   {
   }
 
-  /// To be called often.
+  /// Must be called often.
   void Passed(std::size_t at)
   {
     if (at >= Next)

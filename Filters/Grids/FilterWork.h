@@ -19,8 +19,8 @@ using StepProgress = std::function<bool(double)>;
 [[nodiscard]] bool ParallelSteps(
   std::size_t count, const StepProgress& progress, const std::function<void(std::size_t)>& work);
 
-/// Calls work(begin, end) for ranges of at most `batch`, on all threads or by the calling one
-/// alone. False where `progress` ended it.
+/// Calls work(begin, end) for ranges of at most `batch` items, on all threads, or on the calling
+/// thread if `alone`. Returns false where `progress` aborted it.
 [[nodiscard]] bool BatchedSteps(std::size_t count, std::size_t batch, bool alone,
   const StepProgress& progress, const std::function<void(std::size_t, std::size_t)>& work);
 
@@ -29,15 +29,17 @@ using StepProgress = std::function<bool(double)>;
 /// and 0 returned.
 int FillOutput(vtkAlgorithm* filter, vtkDataObject* output, const std::function<bool()>& fill);
 
-/// Tells of work that is the part from `from` to `to` of the filter's. False where it was aborted.
+/// Returns a progress function for the work between `from` and `to` of the filter. It returns false
+/// where the filter was aborted.
 [[nodiscard]] StepProgress ProgressOf(vtkAlgorithm* filter, double from, double to);
 
-/// Throws Error where so many bytes are not free: what needs them, how many, how many there are,
-/// and the remedy. `what` begins the message: "17 points"; `remedy` ends it: "lower the level".
+/// Throws Error where `bytes` of memory are not available. The message states the need, the
+/// available memory and the remedy. `what` begins it: "17 points"; `remedy` ends it: "lower the
+/// level".
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy);
 
-/// Gives back what was freed and the heap keeps for later, where the C library can: after much was
-/// read that is not needed again.
+/// Returns freed memory of the heap to the system, where the C library can. Called after large
+/// temporary data were freed.
 void ReturnFreedMemory();
 } // namespace pixelexact
 #endif

@@ -22,9 +22,8 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
 vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
   std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids);
 
-/// A shallow copy of a grid that carries coefficients, with what truncations keep in the place of
-/// the fields of their names. Point and cell arrays of these names, which are the whole fields',
-/// are left out.
+/// A shallow copy of a grid with coefficients whose fields are replaced by their truncations. Point
+/// and cell arrays with these names, which contain values of the whole fields, are left out.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithTruncated(
   vtkUnstructuredGrid* grid, std::span<const Truncation> truncations);
 } // namespace pixelexact

@@ -30,7 +30,7 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// Cells that no other process has, too.
+/// The cells that belong to this process; ghost cells are left out.
 std::vector<vtkIdType> OwnCells(vtkUnstructuredGrid* grid)
 {
   const vtkUnsignedCharArray* marks = grid->GetCellGhostArray();
@@ -45,7 +45,7 @@ std::vector<vtkIdType> OwnCells(vtkUnstructuredGrid* grid)
   return own;
 }
 
-/// For each place where composite data may have a leaf, empty ones too, in VTK's order.
+/// Calls `each` for each place of a leaf in composite data, also empty ones, in VTK's order.
 void ForPlaces(
   vtkCompositeDataSet* data, const std::function<void(vtkCompositeDataIterator*)>& each)
 {
@@ -189,12 +189,12 @@ void WholeMesh::Gather(
   }
   catch (const std::exception& error) // memory may run out too
   {
-    // Not yet: the other processes wait for this one's part.
+    // The error is thrown later, because the other processes wait for this one's part.
     problem = error.what();
   }
   AgreeThatAllIsWell(problem, processes);
   RequireTheSame(static_cast<int>(grids.size()), processes);
-  // All of them before any is looked at: what fails on one process must not keep others waiting.
+  // All parts are gathered before any is checked, so that a failure does not block other processes.
   std::vector<std::vector<Grid>> parts;
   parts.reserve(grids.size());
   for (const Grid& grid : grids)

@@ -31,7 +31,7 @@ int FacesOfElement(const HighOrderModel& model, int element)
   return static_cast<int>(FacesOf(model.GetMesh().ShapeOf(element)).size());
 }
 
-/// The faces of an element that have something behind them, as bits.
+/// The faces of an element that have a neighbour, as bits.
 unsigned char InnerOf(const HighOrderModel& model, int element)
 {
   unsigned int bits = 0;
@@ -85,7 +85,7 @@ vtkBoundingBox BoxAround(const HighOrderModel& model)
 
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// The cells whose points' boxes, made thrice as large, meet the box.
+/// The cells for which three times the box of their points intersects the box.
 std::vector<vtkIdType> CellsNear(vtkUnstructuredGrid* grid, const vtkBoundingBox& here)
 {
   std::vector<vtkIdType> near;

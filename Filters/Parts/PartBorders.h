@@ -11,18 +11,18 @@ class vtkMultiProcessController;
 
 namespace pixelexact
 {
-/// The grid, packed, with copies of elements that other processes hold beside it, marked as VTK
-/// marks ghost cells: those with faces behind which their own process has nothing, and which are no
-/// farther from the box of the grid's elements than they are large. In the order of the processes,
-/// so that ties at faces are decided as in the whole mesh. All processes must call it, those
-/// without cells too, which get what they gave. Throws Error, and then on all of them.
+/// Returns the packed grid with copies of adjacent elements of other processes, marked as VTK's
+/// ghost cells. These are elements with faces that have no neighbour in their own process, at most
+/// their own size away from the box of the grid's elements. They are in the order of the processes,
+/// so that ties at faces are resolved as in the whole mesh. All processes must call it; those
+/// without cells get their input back. Throws Error on all processes.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithNeighbours(
   vtkUnstructuredGrid* grid, vtkMultiProcessController* processes);
 
-/// The grid with CellData kInnerFaces (HighOrderModel.h): which faces have something behind them in
-/// the mesh whose parts the processes hold, as FaceTable decides it of the whole. Elements with
-/// bare faces go, without their fields, to the processes whose boxes they may touch. All processes
-/// must call it, those without cells too. Throws Error, and then on all of them.
+/// Returns the grid with CellData kInnerFaces (HighOrderModel.h): the faces that have a neighbour
+/// in the whole mesh, as FaceTable finds them. Elements with open faces are sent, without fields,
+/// to the processes whose boxes they may touch. All processes must call it, also those without
+/// cells. Throws Error on all processes.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithInnerFaces(
   vtkUnstructuredGrid* grid, vtkMultiProcessController* processes);
 } // namespace pixelexact

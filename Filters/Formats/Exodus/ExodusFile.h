@@ -8,9 +8,8 @@
 
 namespace pixelexact
 {
-/// An Exodus II file. Numbers count as the file's do, from 1, unless another beginning is named.
-/// Throws InvalidData, which says why, for damaged files; numbers that it returns are in their
-/// range.
+/// An Exodus II file. Numbers start at 1, as in the file, unless stated otherwise. Throws
+/// InvalidData with a reason for damaged files; returned numbers are in their range.
 class ExodusFile
 {
 public:
@@ -27,7 +26,7 @@ public:
     std::int64_t first = 1;    ///< the number of its first element
     std::string suffix;        ///< of its variables' names: its place in the file, from 1
   };
-  /// In the file's order.
+  /// The blocks in the file's order.
   [[nodiscard]] const std::vector<Block>& Blocks() const { return Contents; }
 
   /// Faces of solids, or edges of plane elements.
@@ -58,7 +57,7 @@ public:
   [[nodiscard]] std::vector<std::string> ElementNames() const { return NamesOf("name_elem_var"); }
   /// Values of a variable, counted from 0, at a time step, counted from 0.
   [[nodiscard]] std::vector<double> AtNodes(std::size_t variable, std::size_t step) const;
-  /// Those of a block's elements; none: the block has no values of this variable.
+  /// The values of a block's elements; none where the block has no values of this variable.
   [[nodiscard]] std::optional<std::vector<double>> OfElements(
     std::size_t variable, const Block& block, std::size_t step) const;
 

@@ -45,6 +45,6 @@ public:
 /// InvalidData for other and damaged files, Unsupported for netCDF-4 without the HDF5 library.
 std::unique_ptr<NetcdfFile> OpenNetcdf(const std::string& path);
 
-/// Those of the classic formats.
+/// Opens files of the classic formats.
 std::unique_ptr<NetcdfFile> OpenClassicNetcdf(const std::string& path);
 } // namespace pixelexact

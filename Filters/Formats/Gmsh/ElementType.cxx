@@ -8,7 +8,7 @@ namespace pixelexact::gmsh
 {
 namespace
 {
-/// Types of one kind of element, orders ascending from `order`; 0 stands for no such type.
+/// Types of one kind of element, orders ascending from `order`; 0: the order has no type.
 struct Series
 {
   int dimension;

@@ -69,7 +69,7 @@ bool HoldsOwn(const Partitions& partitions, std::size_t number)
   return partitions.here.size() == 1 && std::cmp_equal(*partitions.here.begin(), number);
 }
 
-/// The same of a file that was not asked for: one that cannot be read is none.
+/// The same for a file that the user did not name: an unreadable one does not count.
 bool HoldsOwn(const std::string& path, std::size_t number)
 {
   try

@@ -71,7 +71,8 @@ void ReadOldNodes(Scanner& scanner, bool parametric, MeshFile& mesh)
     AddNode(scanner, mesh);
     if (parametric)
     {
-      // Where the node is on the curve or surface of the model; its place has been read.
+      // Reads the node's parameters on the curve or surface of the model; its position has been
+      // read.
       const int dimension = scanner.Int("the dimension of a node's entity");
       RequireDimension(scanner, dimension);
       scanner.SkipInts(1);
@@ -126,7 +127,7 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
     const bool binary = scanner.GetEncoding().binary;
     int number = binary ? 0 : scanner.Int("an element's number");
     const int type = scanner.Int("an element's type");
-    // In binary files elements of one type have a common head.
+    // In binary files elements of one type share a header.
     const int together = binary ? scanner.Int("the number of elements that follow") : 1;
     const int tagCount = scanner.Int("the number of an element's tags");
     if (together < 1 || static_cast<std::size_t>(together) > count - done || tagCount < 0 ||
@@ -143,8 +144,8 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
       {
         tag = scanner.Int("an element's tag");
       }
-      // Physical group, entity, and behind the number of partitions these; a negative one has the
-      // element as a ghost. Before version 2.2 one partition, without their number.
+      // The tags are physical group, entity, number of partitions, and these; a negative one has
+      // the element as a ghost. Before version 2.2 there is one partition without their number.
       const bool counts = scanner.GetEncoding().version >= kCountsPartitions;
       const auto partitions =
         counts && tags.size() > 3 && tags[2] > 0 ? static_cast<std::size_t>(tags[2]) : 0;
@@ -161,7 +162,7 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
         mesh.partitionsHere.insert(tags[2]);
         named.insert(tags[2]);
       }
-      // Where none are counted a fourth tag is a partition all the same.
+      // Without a number of partitions a fourth tag is a partition.
       if (tags.size() > 3 + std::max(partitions, std::size_t{ counts ? 1U : 0U }))
       {
         scanner.FailUnsupported("element " + std::to_string(number) +

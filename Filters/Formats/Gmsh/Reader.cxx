@@ -28,7 +28,7 @@ void RequireSolids(const MeshFile& mesh, const std::string& file)
   }
 }
 
-/// Where the file knows no physical group of a dimension, entities stand for them.
+/// Where a file has no physical groups of a dimension, entities replace them.
 bool HasPhysical(const auto& elements)
 {
   return std::ranges::any_of(elements, [](const auto& e) { return e.physical != 0; });
@@ -69,7 +69,7 @@ Corners CornersOf(const MeshFile& mesh, const Solid& element)
   std::copy_n(mesh.NodesOf(element).begin(), count, corners.begin());
   if (element.type->dimension == 2)
   {
-    // Those of the slab below and above.
+    // Copies the corners below the slab to those above.
     std::copy_n(corners.begin(), count, corners.begin() + count);
   }
   return corners;
@@ -137,7 +137,7 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
     model.notes.push_back(file + ": " + Counted(mesh.inSeveralGroups, "element") +
       " in several physical groups; Attribute is the first of them.");
   }
-  // A lone partition number is no sign of others: version 2.2 does not say how many there are.
+  // A single partition number does not imply others: version 2.2 does not give their number.
   if (!mesh.partitionsHere.empty() && mesh.partitionsHere.size() < mesh.partitions)
   {
     model.notes.push_back(file + ": it holds " + Counted(mesh.partitionsHere.size(), "partition") +

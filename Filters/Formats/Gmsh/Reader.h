@@ -10,10 +10,10 @@ namespace pixelexact::gmsh
 /// Throws InvalidData or Unsupported: "<file>, line <n>: what; remedy".
 std::vector<double> ReadTimes(const std::vector<NamedText>& files, std::size_t pieces = 1);
 
-/// The mesh of the first file, or of the first `pieces` files, which are its partitions
-/// (MeshPieces.h), with the views of all files at a step (counted from 0). Further files hold views
-/// alone. Views become fields of their names; elements without values have NaN, which
-/// is noted. Where the mesh is not wanted it is left empty. Throws as ReadTimes.
+/// Reads the mesh of the first file, or of the first `pieces` files, which are its partitions
+/// (MeshPieces.h), and the views of all files at a step (counted from 0). Further files contain
+/// views only. Views become fields of their names; elements without values get NaN, with a note.
+/// Without `wantMesh` the mesh is left empty. Throws as ReadTimes.
 SolverModel Read(
   const std::vector<NamedText>& files, int step = 0, bool wantMesh = true, std::size_t pieces = 1);
 } // namespace pixelexact::gmsh

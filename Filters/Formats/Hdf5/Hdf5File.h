@@ -17,8 +17,8 @@ inline bool IsHdf5(std::string_view bytes)
   return bytes.starts_with("\x89HDF\r\n");
 }
 
-/// An HDF5 file as plain arrays. Paths are absolute. All throw InvalidData, with the file's name
-/// and the path, where something is not there, of another type, or damaged.
+/// An HDF5 file as plain arrays. Paths are absolute. All functions throw InvalidData, with the
+/// file's name and the path, where something is missing, of another type, or damaged.
 class Hdf5File
 {
 public:
@@ -52,6 +52,6 @@ public:
 /// what is no HDF5 file, Unsupported where the build has no HDF5 library.
 std::unique_ptr<Hdf5File> OpenHdf5(const std::string& name, std::string_view bytes);
 
-/// A file on disk, of which only what is asked for is read.
+/// Opens a file on disk. Only the requested data are read.
 std::unique_ptr<Hdf5File> OpenHdf5(const std::string& path);
 } // namespace pixelexact

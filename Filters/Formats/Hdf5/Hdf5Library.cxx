@@ -56,7 +56,7 @@ private:
   Close CloseIt;
 };
 
-/// The library's own messages stay off stderr while one of these lives in the thread.
+/// Suppresses the library's own messages on stderr during its lifetime in the thread.
 class QuietLibrary
 {
 public:
@@ -155,7 +155,7 @@ private:
 
 bool LibraryFile::Has(const std::string& path) const
 {
-  // Each part of the path must be asked for.
+  // The library checks only one part of a path at a time.
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1))
   {
     if (H5Lexists(File.Get(), path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)

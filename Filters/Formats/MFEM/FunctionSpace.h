@@ -9,8 +9,8 @@
 
 namespace pixelexact::mfem
 {
-/// Which unknowns of a grid function belong to which element, as MFEM's FiniteElementSpace numbers
-/// them: those of all vertices, then of all edges, of all faces, of all interiors.
+/// Assigns the unknowns of a grid function to elements, in the order of MFEM's FiniteElementSpace:
+/// those of all vertices, then of all edges, of all faces, of all interiors.
 class FunctionSpace
 {
 public:

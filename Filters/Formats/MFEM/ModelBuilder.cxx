@@ -24,7 +24,7 @@ bool HasShared(const Collection& collection)
     collection.Unknowns(Geometry::Triangle) > 0 || collection.Unknowns(Geometry::Square) > 0;
 }
 
-/// Whether values of ghost cells stand after those of the elements, as PETSc's GLVis viewer writes
+/// Whether values of ghost cells follow those of the elements, as PETSc's GLVis viewer writes
 /// finite volumes: at most one for each face of the border.
 bool HasGhostValues(const GridFunctionFile& file, const FunctionSpace& space,
   const Collection& collection, const MeshFile& mesh, int borderFaces)
@@ -36,7 +36,7 @@ bool HasGhostValues(const GridFunctionFile& file, const FunctionSpace& space,
     (!file.byNodes || file.components == 1) && ghosts > 0 && ghosts <= borderFaces;
 }
 
-/// Bases are made only when the values are known to fit: a damaged name may ask for order 32.
+/// Checks the number of values before bases are made: a damaged name may request order 32.
 void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
   const std::string& where, const MeshFile& mesh)
 {
@@ -66,7 +66,7 @@ Corners CornersOf(const Cell& cell, std::int64_t first)
   }
   if (IsOfDimension(cell.geometry, 2))
   {
-    // Those of the slab below and above.
+    // Copies the corners below the slab to those above.
     std::copy_n(corners.begin(), vertices, corners.begin() + vertices);
   }
   return corners;

@@ -11,12 +11,12 @@ namespace pixelexact::mfem
 /// remedy".
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions);
 
-/// The same from files, one after the other: no more than one file's text is in memory at a time.
-/// A file "x.000000" that has others beside it ("x.000001", ...) is a piece of a parallel mesh: all
-/// of them are read as one, elements one after another, and of grid functions as many ("u.000000").
-/// Throws InvalidData, naming the file, where a piece is missing. Of several pieces, those of the
-/// part (SolverModel::pieces); whether all are of one run is then not looked at. What is no piece
-/// is read whole.
+/// The same from files, with at most one file's text in memory. A file "x.000000" with others
+/// beside it ("x.000001", ...) is a piece of a parallel mesh: all pieces are read as one mesh,
+/// elements one after another, and the same number of files of grid functions ("u.000000"). Throws
+/// InvalidData, naming the file, where a piece is missing. `part` selects some of several pieces
+/// (SolverModel::pieces); whether all belong to one run is then not checked. A file that is not a
+/// piece is read whole.
 SolverModel ReadFiles(
   const std::string& mesh, const std::vector<std::string>& gridFunctions, const PieceOf& part = {});
 

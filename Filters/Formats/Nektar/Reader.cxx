@@ -26,7 +26,7 @@ struct Element
   std::array<std::int64_t, 8> vertices{};
 };
 
-/// A vertex is what the faces that meet there have in common.
+/// The vertex that three faces have in common.
 std::int64_t CommonVertex(
   const Geometry& geometry, const Solid& solid, const std::array<int, 3>& meeting)
 {
@@ -103,7 +103,7 @@ void ModelBuilder::FindElements()
   }
 }
 
-/// Where the element's own order of a face's vertices meets the face's.
+/// Converts the element's own order of a face's vertices to the face's order.
 LongVec3 ModelBuilder::PositionOf(
   const FaceMaps& maps, const Element& element, const BoundaryBasis::Node& node) const
 {

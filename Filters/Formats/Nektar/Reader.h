@@ -26,8 +26,8 @@ SessionMesh ReadMesh(const std::vector<NamedText>& sessions);
 /// Throws Unsupported for a mesh that is none without fields, a one-dimensional one.
 void RequireFields(const SessionMesh& mesh);
 
-/// What AddFields must know of a mesh when its coefficients have been handed on; of a
-/// two-dimensional mesh all of it, which homogeneous fields need.
+/// The data of a mesh that AddFields needs after its coefficients were moved; for a two-dimensional
+/// mesh all of it, for homogeneous fields.
 SessionMesh OutlineOf(const SessionMesh& mesh);
 
 /// Adds the fields of a field file's parts, and their time. Throws InvalidData where the parts do

@@ -13,7 +13,7 @@ namespace
 {
 using Key = std::array<int, 3>; // order, part, of
 
-/// From Legendre's coefficients on [-1,1] to those on a part.
+/// The matrix from Legendre's coefficients on [-1,1] to those on a part.
 LineMatrix PartMatrix(const Key& key)
 {
   const auto [order, part, of] = key;

@@ -48,9 +48,9 @@ void NodeValues(const RationalElement& element, const Orders& order, LineTables&
 /// (Math. Z. 86, 1964) everywhere.
 double LossOf(const RationalElement& element, const Orders& order, LineTables& tables);
 
-/// An estimate of the least orders, not below the degrees, with which no more than `target` is
-/// lost, none above `most`; none where these do not do, and then `worst` is the direction that
-/// asks for the highest.
+/// An estimate of the least orders, not below the degrees and at most `most`, with a loss of at
+/// most `target`. None where these do not suffice; `worst` is then the direction that needs the
+/// highest order.
 struct OrderEstimate
 {
   std::optional<Orders> order;

@@ -188,7 +188,7 @@ LongVector Collapse(const Space& space, std::span<const long double> control)
     return cube;
   }
   LongVector cube(size * size * size);
-  // By (i, j, k) to degree n along eta1, then along eta2.
+  // The number of the mode (i, j, k) by degree along eta1, then along eta2.
   std::vector<std::size_t> first(size * size);
   std::size_t count = 0;
   for (int i = 0; i <= n; ++i)

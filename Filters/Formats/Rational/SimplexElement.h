@@ -19,7 +19,7 @@ namespace pixelexact::rational
 std::vector<long double> Collapse(const Space& space, std::span<const long double> control);
 
 /// The polynomials of a prism's or tetrahedron's space by their values at nodes. Nodes on a face
-/// depend on that face alone; on edges, and along a prism's quadrilaterals, they are
+/// depend only on that face; on edges, and along a prism's quadrilaterals, they are
 /// Gauss-Lobatto-Legendre points (T. Isaac, Recursive, parameter-free, explicitly defined
 /// interpolation nodes for simplices, SIAM J. Sci. Comput. 42, 2020).
 class SimplexBasis
@@ -28,7 +28,7 @@ public:
   explicit SimplexBasis(const Space& space);
 
   [[nodiscard]] const Space& GetSpace() const { return Change.Target(); }
-  /// From values at the nodes.
+  /// The change of basis from values at the nodes.
   [[nodiscard]] const ChangeOfBasis& GetChange() const { return Change; }
 
   /// The values of N / w at the nodes, component by component; `element` is a function of eta.

@@ -16,7 +16,7 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// Where bases are dense, beyond these orders they take minutes to make.
+/// Limit of orders for dense bases, which take minutes to compute above it.
 int LargestOrder(const CollectionName& name, Geometry solid)
 {
   if (name.continuity == Continuity::HCurl || name.continuity == Continuity::HDiv)

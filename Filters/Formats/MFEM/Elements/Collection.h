@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 
-// MFEM's finite element collections: the only file set that knows its bases. Local orders are
-// MFEM's: unknowns of the vertices, edges, faces, interior.
+// MFEM's finite element collections. Only this class implements their bases. Local orders are
+// MFEM's: unknowns of vertices, edges, faces, interior.
 namespace pixelexact::mfem
 {
 enum class Geometry : std::uint8_t
@@ -38,11 +38,11 @@ enum class Continuity : std::uint8_t
 class Collection
 {
 public:
-  /// From its name in a file: "H1_3D_P4", "H1@U_3D_P2", "H1Pos_3D_P3", "L2_T2_3D_P1",
+  /// Parses a collection's name in a file: "H1_3D_P4", "H1@U_3D_P2", "H1Pos_3D_P3", "L2_T2_3D_P1",
   /// "L2Int_3D_P2", "ND_3D_P2", "RT_3D_P1", "Linear", "Quadratic", "Cubic", "Const3D",
-  /// "LinearDiscont3D", ...; of elements of `dimension` 3, or 2 ("H1_2D_P4", ...). Throws
+  /// "LinearDiscont3D", ...; for elements of `dimension` 3, or 2 ("H1_2D_P4", ...). Throws
   /// Unsupported (NURBS, trace collections, those of another dimension) with a remedy, InvalidData
-  /// for what is no collection's name.
+  /// where it is not a collection's name.
   static Collection Parse(const std::string& name, int dimension = 3);
   Collection(Collection&&) noexcept;
   Collection& operator=(Collection&&) noexcept;
@@ -57,7 +57,7 @@ public:
   /// Unknowns that belong to the inside of an entity (MFEM's DofForGeometry).
   [[nodiscard]] int Unknowns(Geometry geometry) const;
 
-  /// How an element sees an entity's unknowns when its orientation to it is `orientation` (MFEM's
+  /// The order of an entity's unknowns in an element that has the entity with `orientation` (MFEM's
   /// numbering: segments +1, -1; triangles 0 to 5; squares 0 to 7). Entry i is the entity's unknown
   /// n, or -1 - n for its negative (MFEM's DofOrderForOrientation).
   [[nodiscard]] std::span<const int> UnknownOrder(Geometry geometry, int orientation) const;

@@ -21,7 +21,7 @@ constexpr const char* kOnFaces = "trace spaces live on faces; save the field its
 constexpr const char* kProject =
   "project the field to H1 or L2 (ProjectGridFunction) and save that";
 
-/// For messages: in quotes, shortened, without control characters.
+/// A name for messages: in quotes, shortened, without control characters.
 std::string QuoteName(const std::string& text)
 {
   return Quote(text, kLongestShown);
@@ -134,7 +134,7 @@ void RefuseOtherCollections(const std::string& text)
 }
 
 constexpr std::string_view kBasisLetters = "gGPuUoSci";
-/// Numbers in names have at most so many digits.
+/// Numbers in names have at most this number of digits.
 constexpr int kMaxDigits = 4;
 
 [[noreturn]] void RejectName(const std::string& text)
@@ -204,7 +204,7 @@ public:
     return static_cast<LineBasis>(at);
   }
 
-  /// "_3D_P4", and "_Pyr0" behind it.
+  /// Parses "_3D_P4", and "_Pyr0" after it.
   void DimensionAndOrder(CollectionName& name, int least)
   {
     Expect("_");

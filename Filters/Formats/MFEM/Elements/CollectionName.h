@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-// The names of MFEM's finite element collections, taken apart. The only file set that knows them.
+// Parses the names of MFEM's finite element collections. Only this code interprets them.
 namespace pixelexact::mfem
 {
 /// One-dimensional bases, with MFEM's numbers: the 2 of "L2_T2_3D_P1".
@@ -27,7 +27,7 @@ enum class LineBasis : std::uint8_t
 enum class PyramidSpace : std::uint8_t
 {
   Bergot = 0,
-  Fuentes = 1 ///< what MFEM takes where the name says nothing
+  Fuentes = 1 ///< MFEM's default where the name has none
 };
 
 struct CollectionName
@@ -45,8 +45,9 @@ struct CollectionName
   bool entityOrdered = true; ///< local order: vertices, edges, faces, interior
 };
 
-/// Of elements of that dimension. Throws Unsupported for collections of others, or that no solid or
-/// plane element has a basis in; InvalidData for what is no name.
+/// Parses the name of a collection for elements of `dimension`. Throws Unsupported for other
+/// collections and for those without a basis on solid or plane elements; InvalidData where it is
+/// not a name.
 CollectionName ParseCollectionName(const std::string& text, int dimension);
 
 /// "Gauss-Lobatto nodes"

@@ -18,7 +18,7 @@ inline constexpr long double kPlaneUnitDensity = 0.25L;
 /// H1 and L2 on tetrahedra, cubes and prisms, triangles and squares.
 ElementBasis ScalarBasis(const CollectionName& name, Geometry solid);
 
-/// One function of value one.
+/// The basis of the constant function one.
 ElementBasis ConstantBasis(const CollectionName& name, Shape shape);
 
 /// H1 and L2 on pyramids.

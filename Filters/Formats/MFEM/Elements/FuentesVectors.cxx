@@ -7,9 +7,9 @@ namespace pixelexact::mfem
 {
 namespace
 {
-// What the vector functions on MFEM's unit pyramid are made of. Fuentes, Keith, Demkowicz and
-// Nagaraj: Orientation embedded high order shape functions for the exact sequence elements of all
-// shapes, 2015.
+// Components of the vector functions on MFEM's unit pyramid. Fuentes, Keith, Demkowicz and Nagaraj:
+// Orientation embedded high order shape functions for the exact sequence elements of all shapes,
+// 2015.
 
 /// The polynomials of one tensor coordinate s in [0,1].
 struct LinePlace
@@ -21,7 +21,7 @@ struct LinePlace
 
   std::array<long double, 2> hat;
   std::vector<long double> legendre;
-  /// From 2: integrals of Legendre's polynomials, zero at both ends.
+  /// From index 2 on: integrals of Legendre's polynomials, zero at both ends.
   std::vector<long double> bubble;
 };
 
@@ -224,7 +224,8 @@ void DivFaces(int p, const PyramidPlace& at, VectorWriter& writer)
     for (int c = 0; c < 2; ++c)
     {
       const long double side = at.across[1 - d].hat[c];
-      // With the cross product of the gradient of `side` and the frame's vector: + or - normal.
+      // Uses the cross product of the gradient of `side` and the frame's vector, which is + or -
+      // normal.
       const LongVec3 lean = Sum(side, outwards, c == d ? at.z : -at.z, at.normal);
       for (int i = 0; i < p; ++i)
       {

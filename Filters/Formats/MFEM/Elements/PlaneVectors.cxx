@@ -67,7 +67,7 @@ std::vector<VectorUnknown> TriangleUnknowns(const CollectionName& name)
   return unknowns;
 }
 
-/// One unknown of a square: the functions along x and y whose product it is, and its sign.
+/// One unknown of a square: its factors along x and y, and its sign.
 struct PlaneProduct
 {
   int component;

@@ -255,8 +255,9 @@ ElementBasis FuentesH1(const CollectionName& name)
       count, DualMatrix(count, functionals), count));
 }
 
-/// Fuentes's discontinuous space is the whole tensor space; where the line has ends, MFEM draws the
-/// heights below Gauss's last point, as no two nodes may meet in the apex.
+/// Fuentes's discontinuous space is the whole tensor space. Where the line has end points, MFEM
+/// scales the heights to end below Gauss's last point, because two nodes must not coincide in the
+/// apex.
 ElementBasis FuentesL2(const CollectionName& name)
 {
   const int n = name.order + 1;

@@ -155,7 +155,7 @@ std::vector<LatticePoint> TriangleLattice(int p)
 
 using TriangleFunctions = std::function<void(long double, long double, long double*)>;
 
-/// On the prism's triangle, x along xi1 and y along xi3.
+/// The functions on the prism's triangle, x along xi1 and y along xi3.
 TriangleFunctions OnTriangle(
   const CollectionName& name, const Space& space, const std::vector<LatticePoint>& lattice)
 {

@@ -15,8 +15,8 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// From a field's components in MFEM's unit element to those in ours, whose edges are twice as
-/// long.
+/// Factor from a field's components in MFEM's unit element to those in our reference element, whose
+/// edges are twice as long.
 long double ToReference(Continuity kind)
 {
   return kind == Continuity::HCurl ? 1 / 2.0L : 1 / 4.0L;
@@ -47,7 +47,7 @@ std::vector<long double> Dual(const VectorSpace& space, const std::vector<Vector
   return DualMatrix(space.count, functionals);
 }
 
-/// Sums of the functions of `space`, as `matrix` says, into `target`.
+/// Sums of the functions of `space`, with the coefficients in `matrix`, as a basis of `target`.
 ElementBasis Dense(const Space& target, const VectorSpace& space,
   const std::vector<long double>& matrix, long double factor)
 {
@@ -113,7 +113,7 @@ ElementBasis ByUnknowns(
 /// Points in [0,1] by component and axis.
 using Lines = std::array<std::array<std::vector<long double>, 3>, 3>;
 
-/// One unknown of a cube: the functions along the axes whose product it is, and its sign.
+/// One unknown of a cube: its factors along the axes, and its sign.
 struct Product
 {
   std::array<int, 3> place;
@@ -159,8 +159,8 @@ Lines LinesOf(const CollectionName& name)
   return lines;
 }
 
-/// Component d by products of lines: H(div), where an unknown's sign depends on its place along d
-/// alone.
+/// Component d as products of lines, for H(div), where an unknown's sign depends only on its place
+/// along d.
 ChangeOfBasis ByLines(const Space& space, int d, const std::vector<Product>& products,
   std::array<LineFunctions, 3> lines, long double weight)
 {

@@ -30,7 +30,7 @@ struct PlaneSpace
 
 PlaneSpace TriangleVectors(Continuity kind, int order);
 
-/// Polynomials on the triangle: a prism's space, of (xi1, xi3) = 2 (x, y) - 1 alone.
+/// Polynomials on the triangle, as a prism's space that depends only on (xi1, xi3) = 2 (x, y) - 1.
 Space TriangleSpace(int order);
 
 LongVec3 Cross(const LongVec3& a, const LongVec3& b);

@@ -243,7 +243,7 @@ void VectorUnknownBuilder::InsideCube()
   }
 }
 
-/// On a cube's lattice drawn together towards the apex.
+/// Adds the unknowns on a cube's lattice that is contracted towards the apex.
 void VectorUnknownBuilder::InsidePyramid()
 {
   static const long double half = std::sqrt(0.5L);
@@ -328,7 +328,7 @@ std::vector<VectorUnknown> VectorUnknowns(const CollectionName& name, Geometry s
     auto unknowns = Cube({ name.continuity, name.closed, name.open, name.order });
     if (name.legacy && name.continuity == Continuity::HDiv && name.order == 1)
     {
-      // The four inside along each axis stand the other way round in "RT1_3D".
+      // The four interior unknowns along each axis have the reverse order in "RT1_3D".
       for (std::size_t i = unknowns.size() - 12; i < unknowns.size(); i += 4)
       {
         std::swap(unknowns[i + 1], unknowns[i + 2]);

@@ -19,8 +19,8 @@ struct VectorUnknown
   LongVec3 direction;
 };
 
-/// In MFEM's local order. `name` gives kind and order; the points on lines are those of its bases
-/// on cubes, and Gauss-Lobatto and Gauss points on the other solids.
+/// The unknowns in MFEM's local order. `name` gives kind and order; the points on lines are those
+/// of its bases on cubes, and Gauss-Lobatto and Gauss points on the other solids.
 std::vector<VectorUnknown> VectorUnknowns(const CollectionName& name, Geometry solid);
 
 /// The points in [0,1] of the unknowns' coordinates on a cube, by axis: those of a component along

@@ -38,9 +38,9 @@ struct Leaves
   std::vector<int> own;
 };
 
-/// Along space-filling curves where cubes and squares are refined in all directions. `rootStates`:
-/// the curves' states at the roots; of those that are left out 0. Fails by `scanner` where the
-/// trees are too deep.
+/// The leaves along space-filling curves where cubes and squares are refined in all directions.
+/// `rootStates`: the curves' states at the roots; missing ones are 0. Fails through `scanner` where
+/// the trees are too deep.
 Leaves LeavesInOrder(const TextScanner& scanner, std::span<const TreeElement> elements,
   std::span<const int> rootStates, int rank);
 

@@ -71,7 +71,7 @@ private:
   std::map<std::array<int, 2>, int> EdgeOf;
   int EdgeCount = 0;
   int BorderCount = 0;
-  std::vector<Owners> EdgeOwners; ///< of plane elements alone
+  std::vector<Owners> EdgeOwners; ///< filled for plane elements only
   std::map<FaceKey, int> FaceOf;
   std::vector<Face> FaceList;
   std::vector<Geometry> FaceGeometries;

@@ -12,7 +12,7 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// Where a span of a patch is in its knot vector.
+/// The place in its knot vector of a patch's span.
 std::size_t SpanOf(
   const PatchTopology::Line& line, int place, const std::vector<std::vector<int>>& parts)
 {

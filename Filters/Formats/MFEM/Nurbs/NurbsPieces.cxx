@@ -42,7 +42,7 @@ std::int64_t ElementCount(const NurbsMesh& mesh)
   return count;
 }
 
-/// That the pieces are of one mesh and have each of its elements once.
+/// Checks that the pieces belong to one mesh and contain each of its elements once.
 void RequireWhole(std::span<const MeshPiece> pieces)
 {
   const MeshPiece& front = pieces.front();
@@ -65,7 +65,7 @@ void RequireWhole(std::span<const MeshPiece> pieces)
       " are in the pieces beside it; have all pieces in one folder, named x.000000, x.000001, ... "
       "(ParMesh::Save), or save the whole mesh (ParMesh::PrintAsOne).");
   }
-  // No more than the files list: memory for a damaged file's numbers of knots is not taken.
+  // Bounds memory by the elements that the files list, not by a damaged file's number of knots.
   std::vector<bool> known(static_cast<std::size_t>(elements), false);
   for (const MeshPiece& piece : pieces)
   {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// Parallel NURBS meshes of MFEM: each process' files hold some of the elements, and values of the
-// control points of these alone, in the order of the whole mesh's numbers.
+// Parallel NURBS meshes of MFEM. Each process' files contain some of the elements, and values of
+// their control points only, in the order of the whole mesh's numbers.
 namespace pixelexact::mfem
 {
 /// The mesh of all pieces, as ReadNurbs left them; its nodes stay with the pieces. Each piece's
@@ -23,7 +23,7 @@ struct PiecedFunction
   std::vector<double> values;           ///< piece after piece, `components` for each control point
   std::vector<std::vector<int>> points; ///< per piece, of the whole mesh's control points
   std::vector<std::size_t> first;       ///< per piece: its first control point's row in `values`
-  bool isOne = true;                    ///< pieces have the same values where they meet
+  bool isOne = true;                    ///< pieces have equal values at common control points
 };
 
 /// Throws InvalidData and Unsupported, naming the piece.

@@ -15,8 +15,8 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// The orders that a collection's name or its sections ask for: one for all, or one for each knot
-/// vector; none: the mesh's own space.
+/// The orders in a collection's name or its sections: one for all, or one for each knot vector;
+/// empty: the mesh's own space.
 std::vector<int> OrdersOf(const NurbsMesh& mesh, const GridFunctionFile& file)
 {
   if (file.nurbs)
@@ -165,8 +165,8 @@ void NurbsSpace::ForSpans(const PatchNumbering::Boundary& boundary, Visit&& visi
   }
 }
 
-/// As MFEM does: pairs of boundaries are those that come last with their attributes, and go along
-/// their knot vectors together.
+/// As in MFEM, pairs of boundaries are the last ones with their attributes, and are traversed along
+/// their knot vectors in parallel.
 void NurbsSpace::Identify(
   const std::vector<int>& masters, const std::vector<int>& slaves, const PatchNumbering& numbering)
 {

@@ -133,7 +133,7 @@ int PatchNumbering::OnFace(const Cell& patch, const std::array<int, 3>& ends,
   }
   const auto number = static_cast<std::size_t>(Topology.FindFace(corners));
   const auto& base = Topology.faces[number];
-  // From the face's first vertex to its second and to its fourth.
+  // The axes go from the face's first vertex to its second and to its fourth.
   const std::array<int, 3> origin = EndsOf(CornerOf(patch, base[0]));
   std::array<int, 2> place{};
   std::array<int, 2> inside{};

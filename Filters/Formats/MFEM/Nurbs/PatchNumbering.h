@@ -7,16 +7,16 @@
 
 namespace pixelexact::mfem
 {
-/// Numbers of what stands in a tensor grid in every patch, control points or vertices, as MFEM
-/// gives them: at the patches' vertices first, then inside of their edges, faces and themselves.
+/// Numbers of control points or vertices, which form a tensor grid in every patch, in MFEM's order:
+/// at the patches' vertices first, then inside edges, faces and patches.
 class PatchNumbering
 {
 public:
-  /// `counts`: per knot vector, how many stand along it, ends included, two at least. The topology
-  /// outlives it.
+  /// `counts`: per knot vector, the number of points along it, ends included, at least two. The
+  /// topology must outlive this object.
   PatchNumbering(const PatchTopology& topology, std::vector<int> counts);
 
-  /// How many there are. 64 bits: the counts of a damaged file multiply.
+  /// The total number. It has 64 bits because the counts of a damaged file multiply.
   [[nodiscard]] std::int64_t Size() const { return Numbers; }
 
   using Counts = std::array<int, 3>; ///< 1 across plane patches
@@ -47,8 +47,8 @@ private:
   std::int64_t Numbers = 0;
 };
 
-/// Elements and boundary elements of a mesh whose vertices are so numbered, patch by patch, the
-/// first direction fastest. `place`: of each element, its patch and its place there.
+/// The position of an element: its patch and its place in the patch. Elements follow each other
+/// patch by patch, the first direction fastest.
 struct GridPlace
 {
   std::size_t patch = 0;

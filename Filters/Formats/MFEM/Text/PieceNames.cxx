@@ -31,7 +31,7 @@ std::string NameOf(const std::string& path, int rank)
     .string();
 }
 
-/// The numbers of the files beside `path` that differ from it in their number alone.
+/// The numbers of the files in the same folder that differ from `path` only in their number.
 std::set<int> RanksBeside(const std::string& path)
 {
   const fs::path file(path);

@@ -8,8 +8,8 @@
 
 namespace pixelexact::mfem
 {
-/// Words and numbers of an MFEM file, one after the other, with the line they stand in. A word that
-/// begins with '#' is a comment to the end of its line.
+/// Reads words and numbers of an MFEM file in order, with their line. A word that begins with '#'
+/// is a comment to the end of its line.
 class TextScanner
 {
 public:
@@ -17,7 +17,7 @@ public:
 
   /// The next word without taking it; empty at the end.
   std::string_view Peek();
-  /// The next word; fails at the end. `what` says what it should have been.
+  /// Returns the next word; fails at the end. `what` names the expected word.
   std::string_view Word(const char* what);
   /// The rest of the current line, without blanks at its ends.
   std::string_view RestOfLine();
@@ -31,8 +31,8 @@ public:
   int Count(const char* what, std::size_t bytes);
   double Number(const char* what);
   /// Appends the positions of `count` vertices, (x, y, z) each, z = 0 where the file has two
-  /// coordinates (`dimension`). `count` is not yet believed: memory is taken for what the text that
-  /// is left can hold, and where it ends too soon the scanner fails.
+  /// coordinates (`dimension`). Memory is limited by the remaining text, because `count` may be
+  /// wrong; fails where the text ends early.
   void Positions(int count, int dimension, std::vector<double>& positions);
   /// Takes the next word if it is a number.
   bool TryNumber(double& value);
@@ -45,7 +45,7 @@ public:
   /// Throws InvalidData or Unsupported: "<file>, line <n>: <problem>".
   [[noreturn]] void Fail(const std::string& problem) const;
   [[noreturn]] void FailUnsupported(const std::string& problem) const;
-  /// Fails because of the next word, which should not stand in this place.
+  /// Fails because the next word is not allowed at this place.
   [[noreturn]] void FailAtWord(const std::string& place);
 
 private:

@@ -232,7 +232,8 @@ std::vector<int> SeenModes(
   return seen;
 }
 
-/// From values at a face's nodes to the coefficients of the modes that the face sees.
+/// The factor from values at a face's nodes to the coefficients of the modes that do not vanish on
+/// it.
 struct FaceFactor
 {
   std::vector<int> modes;
@@ -287,7 +288,8 @@ ElementBasis MakeFieldBasis(const Expansion3& expansion)
   basis.parts.push_back(ChangeInto(expansion.shape, { n[0] - 1, n[1] - 1, n[2] - 1 }, basis.sources,
     [&](const LongVec3& xi, long double* values)
     {
-      // A triangle's functions are a prism's at one end, up to what the line's one is there.
+      // A triangle's functions are a prism's functions at one end, up to the value of the line's
+      // function.
       const LongVec3 at = expansion.IsPlane() ? LongVec3{ xi[0], -1, xi[2] } : xi;
       const long double across = expansion.IsPlane() && !modified ? std::sqrt(0.5L) : 1.0L;
       for (const Mode& mode : modes)

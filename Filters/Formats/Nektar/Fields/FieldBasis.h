@@ -12,9 +12,10 @@ namespace pixelexact::nektar
 ElementBasis MakeFieldBasis(const Expansion3& expansion);
 
 /// The part of the modified basis that does not vanish on a solid's boundary, as functions of
-/// values on its faces. Nektar++ builds an element's map from its faces alone: one after the other,
-/// each sets the coefficients of the modes that it sees. Where neighbours differ by the rounding of
-/// the file, the last one has what they share; so every face has nodes of its own here.
+/// values on its faces. Nektar++ constructs an element's map from its faces only: one after the
+/// other, each sets the coefficients of the modes that do not vanish on it. Where neighbouring
+/// faces differ by the rounding of the file, the last one determines their common modes. Therefore
+/// every face has its own nodes here.
 struct BoundaryBasis
 {
   struct Node

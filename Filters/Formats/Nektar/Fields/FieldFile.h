@@ -15,8 +15,8 @@
 
 namespace pixelexact::nektar
 {
-/// A field file's numbers, which are let go of as they are taken: else they would stand beside the
-/// coefficients that are made of them.
+/// The numbers of a field file. They are released as they are taken, so that they do not use memory
+/// at the same time as the coefficients.
 class FieldValues
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   /// Numbers begin to go when all parts that were expected have been taken, each once.
   void Expect(std::size_t begin, std::size_t count);
-  /// Copies a part, and lets go of what nobody else expects. From several threads.
+  /// Copies a range and releases pages that no other range needs. Thread-safe.
   void Take(std::size_t begin, std::span<double> out);
 
 private:
@@ -44,8 +44,8 @@ private:
   std::size_t Count = 0;
 };
 
-/// What a family of functions is along each direction, and how many there are. Of plane elements,
-/// on the solids of a slab, one function without a family across; of segments along y, too.
+/// The families of functions along each direction, and their numbers. For plane elements, on the
+/// solids of a slab, one function without a family across; for segments also along y.
 struct Expansion3
 {
   Shape shape = Shape::Hexahedron;
@@ -67,7 +67,7 @@ struct ElementData
   std::size_t count = 0;
 };
 
-/// One ELEMENTS block.
+/// The contents of one ELEMENTS block.
 struct FieldBlock
 {
   std::vector<std::string> fields;

@@ -50,8 +50,8 @@ Parameters::Parameters(std::span<const Document* const> session)
     }
     catch (const InvalidData&)
     {
-      // What a solver needs may be more than what is read here; what is missed is named where it
-      // is used.
+      // A solver may need more than this parser supports. A missing parameter causes an error where
+      // it is used.
       Values.erase(std::string(name));
     }
   }

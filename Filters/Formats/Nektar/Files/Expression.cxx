@@ -88,8 +88,8 @@ std::optional<double> ConstantNamed(std::string_view name)
   return found != std::end(kConstants) ? std::optional(found->value) : std::nullopt;
 }
 
-/// The value of a function of Nektar++'s expressions, or nothing where it has none of this name and
-/// so many arguments. awgn, which is random, is left out.
+/// The value of a function of Nektar++'s expressions; nothing where none has this name and number
+/// of arguments. awgn, which is random, is left out.
 std::optional<double> CallFunction(std::string_view name, std::span<const double> arguments)
 {
   const auto* one = std::ranges::find(kFunctions1, name, &Function1::name);
@@ -126,7 +126,7 @@ struct State
   }
 };
 
-// The grammar. A rule's blanks are those behind it.
+// The grammar. A rule includes the blanks after it.
 struct Blanks : peg::star<peg::space>
 {
 };

@@ -15,7 +15,7 @@ namespace pixelexact::nektar
 {
 namespace
 {
-/// The metadata stand before the data.
+/// The metadata precede the data.
 constexpr std::size_t kHead = std::size_t{ 1 } << 16U;
 
 std::string HeadOf(const std::string& path)

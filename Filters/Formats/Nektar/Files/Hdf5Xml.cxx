@@ -147,7 +147,8 @@ private:
       Block("POINTS", PointRecords(index, places)) + "</DATAPOINTS></CURVED>";
   }
 
-  /// As in compressed XML: number, entity, points, set of points, the first point, type.
+  /// The order is that of compressed XML: number, entity, points, set of points, the first point,
+  /// type.
   std::vector<std::int64_t> CurveRecords(const std::string& set) const
   {
     std::vector<std::int64_t> records;

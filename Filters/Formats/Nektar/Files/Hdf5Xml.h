@@ -8,8 +8,8 @@
 
 namespace pixelexact::nektar
 {
-/// Nektar++'s HDF5 files, meshes (.nekg) and fields, as the XML that it would have written: numbers
-/// stand in blocks of base64, bit by bit the same. Throws InvalidData and Unsupported.
+/// Converts Nektar++'s HDF5 files, meshes (.nekg) and fields, to the XML that Nektar++ would have
+/// written. Numbers are in blocks of base64, bitwise equal. Throws InvalidData and Unsupported.
 std::string Hdf5AsXml(const NamedText& file);
 
 /// The XML of a field file's metadata alone, read from disk.

@@ -18,20 +18,21 @@ namespace pixelexact::nektar
 inline constexpr std::string_view kBase64Digits =
   "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// The bytes behind base64 text of a zlib stream, some at a time.
+/// Decompresses base64 text of a zlib stream in portions.
 class Decompressor
 {
 public:
-  /// `base64` is kept alive by the caller; messages begin with `where`. Where it is a part of
-  /// `file`'s text, which may be null, it is forgotten as it is read: nobody reads it again.
+  /// `base64` must outlive this object; messages begin with `where`. If it is a part of the text of
+  /// `file`, which may be null, its pages are released as they are read and must not be read again.
   Decompressor(
     std::string_view base64, std::size_t most, std::string where, const FileText* file = nullptr);
   ~Decompressor();
   Decompressor(const Decompressor&) = delete;
   Decompressor& operator=(const Decompressor&) = delete;
 
-  /// Fills `bytes`; says how many they are, fewer only at the end. Throws InvalidData for text that
-  /// is no base64, a damaged or truncated stream, and one that gives more than `most` bytes.
+  /// Fills `bytes`. Returns their number, which is smaller only at the end. Throws InvalidData
+  /// where the text is not base64, the stream is damaged or truncated, or the result has more than
+  /// `most` bytes.
   std::size_t Read(std::span<std::byte> bytes);
   /// All that were given.
   [[nodiscard]] std::size_t Given() const { return Total; }
@@ -52,7 +53,7 @@ private:
   unsigned Count = 0;
 };
 
-/// XML with marks in place of long blocks of base64, as many lines as it had.
+/// XML with marks that replace long blocks of base64, with the same number of lines.
 struct ShortXml
 {
   std::string text;
@@ -63,7 +64,7 @@ struct ShortXml
 /// decoded piece by piece, are kept from it. None where they are not most of a mapped file.
 std::optional<ShortXml> WithoutLongBlocks(const FileText& file);
 
-/// Which block the text of an element is; none: it is none.
+/// The number of the block that the text of an element marks; none where it is not a mark.
 std::optional<std::size_t> BlockAt(std::string_view text);
 
 // Numbers as elements of Nektar++'s compressed XML: base64 of a zlib stream.

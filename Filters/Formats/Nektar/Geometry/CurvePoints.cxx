@@ -17,7 +17,7 @@ namespace pixelexact::nektar
 {
 namespace
 {
-/// Which of a point's three weights are equal.
+/// The equal ones among a point's three weights.
 enum class Equal : std::uint8_t
 {
   All,
@@ -177,8 +177,8 @@ std::vector<LongVec3> Expand(std::span<const Orbit> table, int order)
   return points;
 }
 
-/// In the order of the files: along the edges, then inside from the lowest row on, each from left
-/// to right.
+/// The points in the order of the files: along the edges, then inside from the lowest row on, each
+/// from left to right.
 std::vector<LongVec3> SortedPoints(std::span<const Orbit> table, int order)
 {
   auto points = Expand(table, order);
@@ -191,7 +191,7 @@ std::vector<LongVec3> SortedPoints(std::span<const Orbit> table, int order)
     std::sort(begin, end, [&](const LongVec3& x, const LongVec3& y) { return x[next] < y[next]; });
     begin = end;
   }
-  // Where rows meet, points of one height keep the table's order, as in Nektar++.
+  // Points of equal height keep the table's order, as in Nektar++.
   std::stable_sort(
     begin, points.end(), [](const LongVec3& x, const LongVec3& y) { return x[2] < y[2]; });
   for (int n = order - 2; n > 0; --n)

@@ -13,7 +13,7 @@ bool IsTriangular(Distribution distribution);
 /// Whether they are points of a table of ten digits.
 bool IsTabulated(Distribution distribution);
 
-/// The highest order that is known of a distribution.
+/// The highest order for which a distribution is tabulated.
 int HighestOrder(Distribution distribution);
 
 /// The points of a line's distribution, from -1 to 1: order + 1 of them.

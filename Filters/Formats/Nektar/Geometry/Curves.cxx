@@ -45,7 +45,7 @@ struct PointRecord
   Point x;
 };
 
-/// The order of a curve of so many points, or nothing.
+/// The order of a curve with this number of points; none where no order has it.
 std::optional<int> OrderOf(std::size_t points, bool face, bool triangular)
 {
   for (int order = 1; order <= kHighestCurveOrder; ++order)

@@ -15,8 +15,8 @@ namespace pixelexact::nektar
 {
 using Point = std::array<double, 3>;
 
-/// What is done to each point of a geometry, vertices' and curves': first scaled, then moved, then
-/// turned about the z axis.
+/// The transform of each point of a geometry, of vertices and curves: scale, then move, then rotate
+/// about the z axis.
 struct Transform
 {
   Point scale{ 1.0, 1.0, 1.0 };
@@ -27,7 +27,7 @@ struct Transform
   bool operator==(const Transform&) const = default;
 };
 
-/// How a curve's points are distributed.
+/// The distribution of a curve's points.
 enum class Distribution : std::uint8_t
 {
   Equispaced,
@@ -134,7 +134,7 @@ void ReadCurves(const Document& document, const pugi::xml_node& curved, const Tr
 /// another part of the mesh has of the same composite is joined with it.
 void ReadComposites(const Document& document, const pugi::xml_node& composites, Geometry& geometry);
 
-/// Elements' faces by the numbers that composites know them by; their attributes are still open.
+/// Elements' faces by their numbers in composites; their attributes are not set yet.
 using FaceOwners = std::unordered_multimap<std::int64_t, BoundaryFace>;
 
 /// Turns a geometry's composites into groups and attributes of the model's elements, which are the

@@ -16,7 +16,7 @@ namespace
 {
 using Weights = std::array<long double, 4>;
 
-/// The faces behind an element's edges in VTK's linear cell of the slab.
+/// The faces of VTK's linear cell of the slab that correspond to an element's edges.
 constexpr std::array<std::int8_t, 4> kTriangleSides{ 2, 3, 4, -1 };
 constexpr std::array<std::int8_t, 4> kSquareSides{ 2, 1, 3, 0 };
 
@@ -36,7 +36,7 @@ ElementBasis OnePart(ChangeOfBasis part)
   return basis;
 }
 
-/// At Gauss-Lobatto points, along xi2 fastest.
+/// A basis at Gauss-Lobatto points, along xi2 fastest.
 NodalBasis Square(int order)
 {
   const auto points = GaussLobattoPoints(order + 1);
@@ -60,7 +60,8 @@ NodalBasis Square(int order)
   return nodal;
 }
 
-/// At Gauss-Lobatto points drawn inwards; vertex 1 at xi1 = 1, vertex 2 at xi3 = 1.
+/// A basis at Gauss-Lobatto points that are contracted inwards; vertex 1 at xi1 = 1, vertex 2 at
+/// xi3 = 1.
 NodalBasis Triangle(int order)
 {
   const auto line = GaussLobattoPoints(order + 1);

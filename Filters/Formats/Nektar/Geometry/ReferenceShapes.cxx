@@ -64,7 +64,7 @@ long double ModifiedPyramidC(int p, int q, int r, long double z)
   return r == 0 ? decay : decay * High(z) * Jacobi(r - 1, 2 * p + 2 * q - 3, 1, z);
 }
 
-/// Collapsed coordinates; the points that are asked for lie inside.
+/// Collapsed coordinates of a point inside the shape.
 LongVec3 Collapsed(Shape shape, const LongVec3& xi)
 {
   LongVec3 eta = xi;
@@ -191,7 +191,7 @@ long double ModifiedMode(Shape shape, const Mode& mode, const LongVec3& xi)
     case Shape::Hexahedron:
       return ModifiedA(p, eta[0]) * ModifiedA(q, eta[1]) * ModifiedA(r, eta[2]);
     case Shape::Prism:
-      // One function for the collapsed edge: that of its two ends in eta1 together.
+      // The collapsed edge has one function: the sum of the functions of its two ends in eta1.
       return (p == 0 && r == 1 ? 1.0L : ModifiedA(p, eta[0])) * ModifiedA(q, eta[1]) *
         ModifiedB(p, r, eta[2]);
     case Shape::Tetrahedron:

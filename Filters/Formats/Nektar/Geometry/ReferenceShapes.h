@@ -25,7 +25,7 @@ struct SolidTable
 {
   std::vector<Vec3> vertices; ///< in xi
   std::vector<SolidFace> faces;
-  /// Per vertex, faces that meet in it alone.
+  /// Per vertex, three faces that have only this vertex in common.
   std::vector<std::array<int, 3>> meeting;
   /// Per vertex of VTK's linear cell, Nektar++'s vertex.
   std::vector<int> vtkVertex;
@@ -41,7 +41,7 @@ struct Mode
   int r;
 };
 
-/// The modes of a shape with so many modes along each direction, in the order of the files.
+/// The modes of a shape with `count` modes along each direction, in the order of the files.
 std::vector<Mode> ModesOf(Shape shape, const std::array<int, 3>& count);
 
 /// Whether a mode of the modified basis vanishes on the shape's boundary.

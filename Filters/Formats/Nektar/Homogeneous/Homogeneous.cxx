@@ -19,9 +19,9 @@ namespace pixelexact::nektar
 {
 namespace
 {
-// From one layer of elements to many, with Fourier's functions as polynomials across them.
+// Turns one layer of elements into many, with Fourier's functions as polynomials across them.
 
-/// Where the layers are put, one above the other.
+/// The direction in which layers are stacked.
 enum class Along : std::uint8_t
 {
   Y,

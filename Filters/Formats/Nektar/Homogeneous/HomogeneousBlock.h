@@ -15,9 +15,9 @@ struct HomogeneousBlock
   int strip = 0; ///< its number, where there are strips
 };
 
-/// What an ELEMENTS block says of homogeneous directions. `shape` is the elements' and `kind` what
-/// follows it ("-HomogenousExp1D"); families of these directions are taken from the end of the
-/// list. Throws InvalidData and Unsupported.
+/// Reads the homogeneous directions of an ELEMENTS block. `shape` is the elements' shape and `kind`
+/// the text after it ("-HomogenousExp1D"); families of these directions are taken from the end of
+/// the list. Throws InvalidData and Unsupported.
 HomogeneousBlock ReadHomogeneousBlock(const Document& document, const pugi::xml_node& node,
   std::string_view shape, std::string_view kind, std::vector<std::string>& families);
 } // namespace pixelexact::nektar
