@@ -15,6 +15,6 @@ std::vector<std::filesystem::path> FilesBeside(
 /// The number N of a name `stem_N`; -1 where it is none.
 int NumberBehind(const std::string& name, const std::string& stem);
 
-/// A name without the number behind its last underscore.
+/// A name without the number after its last underscore.
 std::string WithoutNumber(const std::string& name);
 } // namespace pixelexact

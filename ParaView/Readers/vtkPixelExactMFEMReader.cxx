@@ -31,7 +31,7 @@ bool IsGridFunction(const std::filesystem::path& file)
   return first == "FiniteElementSpace" || (first == "MFEM" && second == "FiniteElementSpace");
 }
 
-/// The grid functions beside a mesh, and whether that is the only mesh there.
+/// The grid functions in a mesh's folder, and whether there are other meshes.
 struct Companions
 {
   std::vector<std::filesystem::path> functions;

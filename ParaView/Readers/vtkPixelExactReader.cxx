@@ -29,7 +29,7 @@ void RemoveField(vtkUnstructuredGrid* grid, const std::string& name)
   for (int i = arrays->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     const std::string array = arrays->GetArrayName(i);
-    // Not those of a field whose name goes on behind the point.
+    // Excludes fields whose names continue after the point.
     if (array.starts_with(prefix) && array.find('.', prefix.size()) == std::string::npos)
     {
       arrays->RemoveArray(i);

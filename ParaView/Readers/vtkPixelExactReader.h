@@ -47,19 +47,18 @@ public:
   ///@}
 
   /**
-   * Whether a file's content is of the reader's kind (1) or not (0); ParaView asks all readers of a
-   * suffix, and offers those that say 1.
+   * Whether a file's content is of the reader's kind (1) or not (0). ParaView calls all readers of
+   * a suffix, and offers those that return 1.
    */
   virtual int CanReadFile(const char* name) = 0;
 
   /**
-   * Which fields the output has: of those that are known before reading, and of those that were
-   * found then.
+   * The selection of the output's fields, known before reading or found by it.
    */
   vtkDataArraySelection* GetFieldSelection();
 
   /**
-   * Changes with the choice of fields, too.
+   * The selection's modification time counts as well.
    */
   vtkMTimeType GetMTime() override;
 
@@ -68,7 +67,7 @@ protected:
   ~vtkPixelExactReader() override;
 
   /**
-   * What makes the grid. After Prepare.
+   * Returns the source of the grid. Must be called after Prepare.
    */
   virtual vtkAlgorithm* GetSource() = 0;
 
@@ -79,7 +78,7 @@ protected:
   virtual void Prepare() = 0;
 
   /**
-   * A field that may be chosen, and whether it is until somebody says otherwise.
+   * Adds a field to the selection. `chosen` is its state until the user changes it.
    */
   void Offer(const std::string& field, bool chosen);
   bool IsChosen(const std::string& field);

@@ -22,7 +22,7 @@ constexpr int kLetters = 14;
 
 void MakeReadable(vtkTextProperty* text)
 {
-  // On any background.
+  // The text is readable on any background.
   text->SetFontSize(kLetters);
   text->SetColor(0.0, 0.0, 0.0);
   text->SetBackgroundColor(1.0, 1.0, 1.0);
@@ -88,7 +88,7 @@ void ViewNotes::Update()
 
 void ViewNotes::AddTo(vtkPVRenderView* view)
 {
-  // Over the picture that all processes made together.
+  // Adds the texts over the composited picture of all processes.
   view->GetNonCompositedRenderer()->AddActor(Legend);
   view->GetNonCompositedRenderer()->AddActor(Pointer);
 }

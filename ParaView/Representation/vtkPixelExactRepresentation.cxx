@@ -50,10 +50,10 @@ vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoeff
   vtkDataObject* data)
 {
   auto shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  // In parallel, processes may have no cells.
+  // In a parallel run, processes may have no cells.
   if (HasCells(data) && HasPlainGrids(data))
   {
-    // A copy: the pipeline's object does not know that somebody else reads it.
+    // Reads a copy, because the pipeline's object is in use by others.
     shown->ShallowCopy(data);
     Convert->SetInputDataObject(shown);
     Convert->Update();
