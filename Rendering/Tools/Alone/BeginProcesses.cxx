@@ -17,7 +17,8 @@ namespace
 {
 constexpr const char* kProgram = "pixelexact-mpi";
 
-/// How many processes mpirun started: Open MPI and those that speak PMI (MPICH, Intel) say so.
+/// The number of processes that mpirun started, from the environment of Open MPI or of PMI (MPICH,
+/// Intel).
 int StartedTogether()
 {
   int count = 1;

@@ -15,15 +15,15 @@ struct PointTable
   bool hasZ = true; ///< else z = 0 is all that there is
 };
 
-/// The columns x, y and, where there is one, z of a CSV file, or of standard input ("-"), with a
-/// header line; further columns are ignored. Where not all three are there, they may be called
-/// Points:0 to Points:2 (ParaView's data) or Points_0 to Points_2 (its spreadsheets). Fields stand
-/// between commas, semicolons or tabs, whichever the header names them between. Accepts quoted
-/// fields, a byte-order mark, CRLF, and empty lines, which it skips. Throws Error naming the line
-/// where a number is missing or none, or where there are more values than columns.
+/// Reads the columns x, y and, where it exists, z of a CSV file, or of standard input ("-"), with a
+/// header line; further columns are ignored. Other names of the columns are Points:0 to Points:2
+/// (ParaView's data) and Points_0 to Points_2 (its spreadsheets), if x, y, z are incomplete. The
+/// header determines the separator: comma, semicolon or tab. Accepts quoted fields, a byte-order
+/// mark and CRLF, and skips empty lines. Throws Error naming the line where a number is missing or
+/// invalid, or where there are more values than columns.
 PointTable ReadPoints(const std::string& file);
 
-/// For meshes that are not plane: throws Error, naming the line, where the table has no z.
+/// Throws Error, naming the line, where the table has no z. For meshes that are not plane.
 void RequireZ(const std::string& file, const PointTable& table);
 
 /// A text as a field of a CSV file: quoted where it needs quotes.

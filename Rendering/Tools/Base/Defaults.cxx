@@ -75,7 +75,7 @@ std::string ValueOf(const std::string& file, const std::string& name, const nloh
     ": expected a text, a number, true, false, or an array of texts and numbers");
 }
 
-/// As words, "--name=value".
+/// The words "--name=value" of a value.
 std::vector<std::string> WordsOf(
   const std::string& file, const std::string& name, const nlohmann::json& value)
 {
@@ -203,7 +203,7 @@ std::vector<std::string> OfVariable(const CLI::App& program, const CLI::App& com
   {
     throw UsageError(std::string(kVariable) + ": the quote " + quote + " is not closed");
   }
-  // Those of other commands are theirs.
+  // Options of other commands are left out.
   std::vector<std::string> own{ command.get_name() };
   for (std::size_t i = 1; i < words.size(); ++i)
   {

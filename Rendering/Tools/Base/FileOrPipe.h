@@ -12,7 +12,7 @@ namespace pixelexact
 std::string MakeOutputFolder(
   const std::string& given, const std::string& input, const std::string& ending);
 
-/// For what is read once: a stream of a file, or of all that is written into a pipe. Its state says
-/// whether it could be opened. Throws InvalidData where nobody writes within five seconds.
+/// A stream that reads a file or a pipe once. Its state shows whether it could be opened. Throws
+/// InvalidData where nothing is written to a pipe within five seconds.
 std::unique_ptr<std::istream> OpenFileOrPipe(const std::string& path);
 } // namespace pixelexact

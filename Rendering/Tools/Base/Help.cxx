@@ -21,7 +21,7 @@ namespace
 constexpr int kDefaultWidth = 100;
 constexpr int kMinWidth = 40;
 constexpr std::size_t kIndent = 2;
-/// Where descriptions begin.
+/// The column of descriptions.
 constexpr std::size_t kColumn = 26;
 /// The group of options that have no row in the table.
 constexpr const char* kProgramGroup = "Program";
@@ -40,8 +40,8 @@ std::size_t TerminalWidth()
   return static_cast<std::size_t>(std::max(width, kMinWidth));
 }
 
-/// Appends the words of a text at column `indent` of lines of at most `width` columns. `text` is
-/// what stands on the line already. A word that is longer than a line stays whole.
+/// Appends the words of a text at column `indent` in lines of at most `width` columns. `text` ends
+/// with the beginning of the current line. A word that is longer than a line is not broken.
 void Wrap(std::string& text, const std::string& words, std::size_t indent, std::size_t width)
 {
   std::size_t column = text.size() - (text.rfind('\n') + 1);

@@ -17,7 +17,7 @@ namespace pixelexact
 {
 namespace
 {
-/// As roff reads it.
+/// Escapes a text for roff.
 std::string ForRoff(const std::string& text)
 {
   std::string escaped;

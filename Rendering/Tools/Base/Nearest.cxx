@@ -8,7 +8,7 @@ namespace pixelexact
 {
 namespace
 {
-/// How many letters must change, come or go.
+/// The edit distance: the number of letters to replace, insert or remove.
 std::size_t Distance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);

@@ -17,7 +17,7 @@ namespace pixelexact
 {
 namespace
 {
-/// The row of a command's option, which has one of these types.
+/// The row of a command's option, which must have one of these types.
 const Setting& RowOf(
   const CLI::App& command, const char* name, std::initializer_list<SettingType> types)
 {
@@ -152,7 +152,7 @@ void AddReader(CLI::App& command, const Setting& row, const ReadText& read)
     Finish(command, row,
       command
         .add_option_function<std::vector<std::string>>(names, readAll)
-        // One value after each --name: the next argument may be an input file.
+        // Takes one value after each --name, because the next argument may be an input file.
         ->expected(1)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));

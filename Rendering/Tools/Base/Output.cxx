@@ -95,7 +95,7 @@ void OutputFile::Close()
   const int reason = Buffer.Noted(!closed);
   if (!closed || !File)
   {
-    // A part of a file would be taken for the whole.
+    // Removes an incomplete file, which could be mistaken for a complete one.
     std::error_code ignored;
     if (std::filesystem::is_regular_file(std::filesystem::symlink_status(Name, ignored)))
     {

@@ -8,7 +8,7 @@
 
 namespace pixelexact
 {
-/// Whether a file's name stands for standard input or output: "-".
+/// Whether a file's name means standard input or output: "-".
 bool IsStandardStream(const std::string& file);
 
 /// Throws Error: `what` cannot be written, for the reason of the operating system (errno; 0: it
@@ -51,12 +51,12 @@ private:
 
 /// Writes all of a file. Throws Error as OutputFile.
 void WriteBytes(const std::string& file, const std::string& bytes);
-/// The same of a file that is there whole or not at all, whenever the program ends: written beside
-/// it under another name first.
+/// Writes a file completely or not at all, even if the program ends: under another name first, then
+/// renamed.
 void WriteAtOnce(const std::string& file, const std::string& bytes);
 
-/// Before the work: throws Error where the file is a folder or its folder is not there, UsageError
-/// where the file is one of those that are read.
+/// Checks an output file before the work. Throws Error where it is a folder or its folder does not
+/// exist, UsageError where it is an input.
 void CheckOutput(const char* option, const std::string& file, std::vector<std::string> read);
 
 /// Throws UsageError where two of `files`, or one and --json, are standard output.

@@ -101,7 +101,7 @@ void PrintError(const std::string& message)
 void FlushOutput()
 {
   errno = 0;
-  // fmt prints with stdio, which keeps in mind that something failed, and tries again here.
+  // fmt prints with stdio, which stores an error and retries here.
   const bool failed = !std::cout.flush();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || failed)
   {

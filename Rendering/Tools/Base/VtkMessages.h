@@ -10,9 +10,8 @@ class vtkOutputWindow;
 
 namespace pixelexact
 {
-/// While it lives, what VTK would print is kept instead: the tool says each failure once, in its
-/// own words, and the pages that VTK prints about it stay away from the user. Not nested, one
-/// thread.
+/// Collects VTK's messages during its lifetime instead of printing them, so that the tool reports
+/// each failure once, in its own words. Must not be nested; for one thread.
 class VtkMessages
 {
 public:

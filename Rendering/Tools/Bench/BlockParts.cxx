@@ -33,7 +33,7 @@ std::vector<std::vector<Vec3>> PartsOfCube(Shape shape)
       }
       break;
     case Shape::Tetrahedron:
-      // Along the diagonal from 0 to 7, one for each order in which the axes are walked.
+      // One tetrahedron along the diagonal from 0 to 7 for each order of the axes.
       for (const auto& [a, b] : { std::array{ 1, 2 }, std::array{ 2, 4 }, std::array{ 4, 1 },
              std::array{ 2, 1 }, std::array{ 4, 2 }, std::array{ 1, 4 } })
       {
@@ -98,14 +98,14 @@ void CornerFunctions(Shape shape, const LongVec3& xi, long double* value)
       *value++ = w;
       return;
     default:
-      // Rational in xi; at the apex, where no value is asked for, anything.
+      // The values are rational in xi. The apex, where they are undefined, is not evaluated.
       bilinear(u / (1 - w), v / (1 - w), 1 - w);
       *value++ = w;
   }
 }
 
-/// Of a part that is an affine image of the reference shape with corners at 0 and 1: the images of
-/// its origin and axes.
+/// The images of the origin and the axes, for a part that is an affine image of the reference shape
+/// with corners at 0 and 1.
 struct AffineMap
 {
   Vec3 origin;
@@ -176,7 +176,7 @@ Vec3 Bend(const Vec3& x)
       x.x * x.x * x.y + 0.5 * x.y * x.y);
 }
 
-/// Moves a lattice corner by less than a twentieth of a cell, the same for all who ask.
+/// Moves a lattice corner by less than a twentieth of a cell, always by the same vector.
 Vec3 Moved(const Vec3& at)
 {
   const auto noise = [&](double a, double b, double c)

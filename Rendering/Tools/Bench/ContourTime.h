@@ -12,8 +12,8 @@
 
 namespace pixelexact
 {
-/// What contours add to frames. Frames with and without take turns, so that a machine whose speed
-/// changes changes both.
+/// Times that contours add to frames. Frames with and without contours alternate, so that changes
+/// of the machine's speed affect both.
 struct ContourTime
 {
   double first = 0.0;         ///< seconds of the first frame with them: elements are looked into
@@ -30,8 +30,8 @@ struct ContourTime
   [[nodiscard]] double FirstRatio() const;
 };
 
-/// `with`: the pipeline `without` and what draws contours, which knows no element yet; `pixels`:
-/// what its last frame found.
+/// `with`: the pipeline `without` with contours, without bounds of any element; `pixels`: the
+/// counts of its last frame.
 ContourTime MeasureContours(const Scene& scene, const Camera& camera, const Pipeline& without,
   const Pipeline& with, int repeat, const std::function<ContourCounters()>& pixels);
 

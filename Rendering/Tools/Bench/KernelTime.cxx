@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-// As many as a tile of the tracer holds.
+// The number of samples in a tile of the tracer.
 constexpr int kBatch = 1024;
 
 int UsualElement(const Expansion& field)

@@ -73,14 +73,14 @@ CertifiedField CertifyField(const Mesh& mesh, const Field& field, Steps& steps)
   return facts;
 }
 
-/// How far the outer ends may be beyond the values, relative to the attained range.
+/// Largest distance of the outer ends from the attained range, relative to that range.
 double RelativeExcess(const CertifiedRange& range)
 {
   const double width = range.attained.upper - range.attained.lower;
   return std::max(range.GapBelow() + range.GapAbove(), 0.0) / std::max(width, 0.0);
 }
 
-/// With this many digits, rounded downwards or upwards.
+/// A number with `digits` digits, rounded down or up.
 std::string Digits(double number, bool upwards, int digits)
 {
   const auto print = [digits](double v) { return fmt::format("{:.{}g}", v, digits); };

@@ -81,7 +81,7 @@ Facts Gather(const LoadedModel& input)
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     ++facts.shapes[static_cast<std::size_t>(mesh.ShapeOf(e))];
-    // The cells beside a solver's own coefficients are but their corners.
+    // The cells stored with a solver's coefficients only have their corners.
     const int stored = input.converted ? StoredOrder(*input.grid, e) : 0;
     if (stored > 0)
     {
@@ -142,7 +142,7 @@ const char* ContinuityName(const Continuity& continuity)
   return continuity.IsContinuous() ? "continuous" : "discontinuous";
 }
 
-/// Bounds are computed from coefficients: roundings of the others stand where 0 is meant.
+/// Bounds computed from coefficients contain roundings in place of 0.
 std::array<double, 6> WithoutRoundings(std::array<double, 6> bounds)
 {
   double largest = 0.0;
@@ -270,7 +270,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     { "geometry_orders", ToJson(facts.orders) },
     { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "bounds", facts.bounds },
     { "node_bounds", facts.nodeBounds },
-    // The cells beside a solver's own coefficients are but their corners.
+    // The cells stored with a solver's coefficients only have their corners.
     { "node_bounds_of", input.converted ? "nodes" : "corners" }, { "fields", fields },
     { "defined", input.model->Definitions() }, { "parameters", input.model->Parameters() } };
   summary["dimension"] = facts.slab ? 2 : 3;

@@ -25,7 +25,7 @@ void AddEnclosures(nlohmann::ordered_json& summary, const ProbeSamples& samples)
 void AddEnclosures(Table& table, const ProbeSamples& samples, const std::string& of)
 {
   const EnclosureWidths widths = MeasureEnclosures(samples);
-  // Two digits say all that there is to say of a width.
+  // Two digits suffice for a width.
   table.Row("enclosures", "{}median width {}, largest {} of the range of values", of,
     Short(widths.median, 2), Short(widths.largest, 2));
   if (widths.unbounded > 0)

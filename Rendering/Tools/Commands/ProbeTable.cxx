@@ -16,7 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-/// The columns of a field, each behind a comma.
+/// The columns of a field, each after a comma.
 std::string ColumnsOf(const ProbedField& field)
 {
   const ProbeSamples& samples = field.samples;

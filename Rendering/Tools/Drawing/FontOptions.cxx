@@ -34,7 +34,8 @@ void FontOptions::Check() const
   {
     throw Error("--font: there is no file '" + Font.file + "'; name one, or sans or serif");
   }
-  // By FreeType itself: VTK takes other letters for a file that it cannot read, and says nothing.
+  // Checks with FreeType itself, because VTK replaces an unreadable file by another font without a
+  // message.
   FT_Library library = nullptr;
   FT_Face face = nullptr;
   const bool readable = FT_Init_FreeType(&library) == 0 &&

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkImageData> ToVtk(const Image& image)
   return data;
 }
 
-/// In memory, because VTK's writers do not see that a disk is full.
+/// Writes to memory, because VTK's writers do not detect a full disk.
 template <class Writer>
 std::string WriteToMemory(Writer& writer, const Image& image, const std::string& file)
 {
@@ -96,8 +96,8 @@ std::string EncodePng(const Image& image, const PictureFacts& facts, const std::
   std::string bytes = WriteToMemory(*writer, image, file);
   if (facts.dpi)
   {
-    // Behind the signature and the chunk IHDR, as the PNG specification orders (11.3.4.3): pixels
-    // in a metre, which VTK does not write.
+    // Inserts pixels per metre, which VTK does not write, after the signature and the chunk IHDR,
+    // as the PNG specification requires (11.3.4.3).
     constexpr std::size_t kBehindHeader = 8 + 25;
     const auto perMetre = static_cast<std::uint64_t>(std::lround(*facts.dpi * kInchesPerMetre));
     const std::string chunk = "pHYs" + BigEndian(perMetre, 4) + BigEndian(perMetre, 4) + '\1';

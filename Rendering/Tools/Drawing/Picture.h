@@ -15,11 +15,12 @@ namespace pixelexact
 {
 // Files: see OutputFile.
 
-/// In pictures, as the program that made them.
+/// The mark in pictures that names the program.
 inline constexpr const char* kPictureMark = "PixelExact " PIXELEXACT_VERSION;
 
-/// The bytes of a .vti with the buffers that the frame holds, and Contour, where `contours` has
-/// verdicts, of these names; none: all. `file`: for messages. Throws Error where it cannot be made.
+/// The bytes of a .vti with the frame's buffers, and with Contour where `contours` has verdicts.
+/// Only those in `arrays`; all where it is empty. `file`: for messages. Throws Error where encoding
+/// fails.
 std::string EncodeBuffers(const std::string& file, const std::vector<std::string>& arrays,
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours);

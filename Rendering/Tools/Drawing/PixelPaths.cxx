@@ -32,7 +32,8 @@ double DistanceTo(const CanvasPoint& p, const CanvasPoint& a, const CanvasPoint&
   return std::hypot(p[0] - a[0] - part * dx, p[1] - a[1] - part * dy);
 }
 
-/// By Douglas and Peucker (1973): the farthest point stays where it is farther than the tolerance.
+/// Simplifies a path by Douglas and Peucker (1973): keeps the farthest point where its distance
+/// exceeds the tolerance.
 Path Simplified(const Path& path, double tolerance)
 {
   std::vector<bool> stays(path.size(), false);
@@ -112,7 +113,7 @@ public:
   }
 
 private:
-  /// Adds the middle of the steps that meet, where they are more than two.
+  /// Adds the mean of the steps at a corner where more than two meet.
   void AddJunction(const Corner& corner, Path& path) const
   {
     const std::vector<std::size_t>& steps = At.at(corner);

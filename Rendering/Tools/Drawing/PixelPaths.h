@@ -7,7 +7,7 @@
 
 namespace pixelexact
 {
-/// Where something changes from one pixel of a grid to the next: the side that they share.
+/// A side between two pixels of a grid at which a property changes.
 struct PixelStep
 {
   int i = 0; ///< the left pixel, or the lower one
@@ -20,9 +20,9 @@ struct PixelStep
   static PixelStep Up(int i, int j) { return { i, j, false, { i + 0.5, j + 1.0 } }; }
 };
 
-/// The lines that steps make, through the places where it changes: from end to end, or from where
-/// three or more meet, which is in the middle of their places, at most a pixel off. Points that are
-/// within `tolerance` of the line without them are left out. Closed lines end where they begin.
+/// Joins steps to lines through their positions. Lines run between ends, or between junctions of
+/// three or more, which are at the mean of their positions, at most a pixel off. Points within
+/// `tolerance` of the line without them are left out. Closed lines end where they begin.
 std::vector<std::vector<CanvasPoint>> PathsOf(
   const std::vector<PixelStep>& steps, double tolerance);
 } // namespace pixelexact

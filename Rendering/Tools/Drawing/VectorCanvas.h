@@ -15,7 +15,8 @@ namespace pixelexact
 class VectorCanvas final : public Canvas
 {
 public:
-  /// In pixels, so many to an inch. Throws Error where cairo has no memory or no font.
+  /// Sizes are in pixels, `dpi` of them to an inch. Throws Error where cairo has no memory or no
+  /// font.
   VectorCanvas(PictureFormat format, int width, int height, double dpi, const Rgba& background,
     int fontSize, const FontChoice& font);
   ~VectorCanvas() override;

@@ -15,7 +15,8 @@ namespace
 {
 using Path = std::vector<CanvasPoint>;
 
-/// Where between two points a label is, as parts of the way; none: nowhere.
+/// The part of the way between two points that a label covers, from 0 to 1; none where it covers
+/// nothing.
 std::optional<std::array<double, 2>> PartWithin(
   const ContourLabel& label, const CanvasPoint& from, const CanvasPoint& to)
 {

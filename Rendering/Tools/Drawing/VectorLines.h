@@ -19,15 +19,15 @@ struct VectorLine
   Rgba color;
 };
 
-/// What a PDF or SVG draws over a picture's pixels: later lines on top, and labels above all of
-/// them.
+/// The lines that a PDF or SVG draws over a picture's pixels: later lines on top, and labels above
+/// all of them.
 struct VectorLines
 {
   std::vector<VectorLine> lines;
   std::vector<ContourLabel> labels;
   int labelSize = 0; ///< of their font, in pixels
 
-  /// Within the picture, which has its lower left corner on the canvas's.
+  /// Draws the lines, clipped to the picture, whose lower left corner is that of the canvas.
   void Draw(VectorCanvas& canvas, int width, int height) const;
 };
 

@@ -18,7 +18,7 @@ InputGrid ReadExodusFile(const InputRequest& request);
 /// .cgns: all zones of all bases, by VTK's reader; refused where VTK was built without it.
 InputGrid ReadCgnsFile(const InputRequest& request);
 
-// For these two.
+// Helpers of the readers of CGNS and Exodus files.
 
 /// Throws Error, "it is no <what>", unless the file begins with one of the marks: libraries print,
 /// or end the program, where they cannot open a file.
@@ -26,10 +26,10 @@ void RequireMark(
   const std::string& file, std::span<const std::string_view> marks, const char* what);
 inline constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
 
-/// The times that a reader offers; none: it knows no time.
+/// The times that a reader offers; empty where it has none.
 std::vector<double> TimesOf(vtkAlgorithm& reader);
 
-/// Updates the reader to the step that is asked for.
+/// Updates the reader to the requested step.
 void UpdateToStep(vtkAlgorithm& reader, const InputRequest& request, InputGrid& input);
 
 /// All blocks with cells as one grid, each with points of its own. Arrays that some blocks lack are

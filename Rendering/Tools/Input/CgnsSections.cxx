@@ -41,7 +41,8 @@ int CornersOf(CGNS_ENUMT(ElementType_t) type)
   }
 }
 
-/// A section's nodes, and where each element's begin; of mixed ones its type stands there.
+/// A section's nodes, and each element's offset; in mixed sections the element's type is stored
+/// there.
 struct Section
 {
   CGNS_ENUMT(ElementType_t) type{};

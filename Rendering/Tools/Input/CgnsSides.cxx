@@ -32,7 +32,7 @@ struct Side
   auto operator<=>(const Side&) const = default;
 };
 
-/// By their corners; two cells may share one.
+/// The sides of cells, sorted by their corners; two cells may share one.
 std::vector<Side> SidesIn(vtkUnstructuredGrid& grid)
 {
   std::vector<Side> sides;
@@ -56,7 +56,8 @@ std::vector<Side> SidesIn(vtkUnstructuredGrid& grid)
   return sides;
 }
 
-/// Those of one cell alone, by their last corner: those of a zone stand together.
+/// Sides that belong to one cell only, sorted by their last corner, so that those of a zone are
+/// consecutive.
 std::vector<Side> OuterOf(const std::vector<Side>& sides)
 {
   std::vector<Side> outer;
@@ -73,7 +74,7 @@ std::vector<Side> OuterOf(const std::vector<Side>& sides)
   return outer;
 }
 
-/// Where each zone's points begin in the grid; none where the blocks are not the zones.
+/// The first point of each zone in the grid; empty where the blocks do not match the zones.
 std::vector<std::int64_t> BeginningsOf(
   const std::vector<CgnsZone>& zones, vtkMultiBlockDataSet& read)
 {
@@ -103,8 +104,8 @@ public:
   {
   }
 
-  /// Adds those of a condition on a zone whose points begin there; says how many are no sides of
-  /// cells.
+  /// Adds the sides of a condition on a zone whose points start at `begin`. Returns the number that
+  /// are not sides of cells.
   std::size_t Add(const CgnsBoundary& boundary, std::int64_t begin, std::int32_t attribute)
   {
     std::size_t others = 0;

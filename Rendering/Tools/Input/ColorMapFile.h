@@ -12,7 +12,8 @@ class vtkLookupTable;
 // elements with Points). Their points are spread over the range; opacities do not count.
 namespace pixelexact
 {
-/// Whether a colour map's name is that of a file, ".json" or ".xml", with ":NAME" behind it or not.
+/// Whether a colour map's name is that of a file, ".json" or ".xml", optionally followed by
+/// ":NAME".
 bool NamesColorMapFile(const std::string& text);
 
 /// A table as MakeColorMap's. Throws Error, naming the file, where it cannot be read, holds no map

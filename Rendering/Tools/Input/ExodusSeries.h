@@ -6,7 +6,7 @@
 
 namespace pixelexact
 {
-/// Where a time step is: in which mesh of a series, and which of its own steps.
+/// The mesh and the step in it of a time step in a series of meshes.
 struct ExodusStep
 {
   std::size_t mesh = 0;
@@ -17,11 +17,11 @@ struct ExodusStep
 /// no series, and no parts of one mesh.
 std::vector<ExodusName> MeshesOf(const std::vector<std::string>& files);
 
-/// Chooses among the steps of all meshes, and puts them into `input`. Throws Error for files that
-/// are not there, or are no Exodus files.
+/// Chooses among the steps of all meshes and stores them in `input`. Throws Error for files that do
+/// not exist or are not Exodus files.
 ExodusStep ChooseStep(
   const std::vector<ExodusName>& meshes, const InputRequest& request, InputGrid& input);
 
-/// Where the mesh that was named alone is followed by others.
+/// Adds a note where further meshes follow a mesh that was named alone.
 void NoteOtherMeshes(const ExodusName& only, std::vector<std::string>& notes);
 } // namespace pixelexact

@@ -28,8 +28,8 @@ struct InputRequest
   bool gaussLobatto = false;        ///< where the nodes of VTK's Lagrange cells are, not equispaced
   std::optional<int> truncateOrder; ///< of all fields; none: they stay as they are
   bool mirroredWedges = false;      ///< MFEM's order of the nodes of VTK's Lagrange wedges
-  bool cornerCells = true; ///< of solvers' grids, which have the coefficients; false: Lagrange cells
-  bool timesAlone = false;          ///< readers return when they know the times, without a grid
+  bool cornerCells = true;          ///< cells of solvers' grids; false: Lagrange cells
+  bool timesAlone = false;          ///< readers return after reading the times, without a grid
 
   /// Declares INPUT as the command's positional arguments, and the options.
   void AddTo(CLI::App& command);
@@ -38,13 +38,13 @@ struct InputRequest
 struct InputGrid
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  std::vector<double> times;      ///< of all steps, ascending; none: the input knows no time
+  std::vector<double> times;      ///< of all steps, ascending; empty: the input has no time
   int step = 0;                   ///< the one that was read
   std::vector<std::string> notes; ///< lines for the user
 };
 
-/// While it lives, hears which part of a solver's file is read; where `progress` returns false,
-/// reading may end, and what was read is of no use. Not nested, one thread.
+/// Receives the progress of reading a solver's file during its lifetime. Where `progress` returns
+/// false, reading may end, and its result must not be used. Must not be nested; for one thread.
 class ReadListener
 {
 public:
@@ -53,31 +53,31 @@ public:
   ReadListener(const ReadListener&) = delete;
   ReadListener& operator=(const ReadListener&) = delete;
 
-  /// Tells the one that lives. Whether reading goes on.
+  /// Reports progress to the current instance. Returns whether reading continues.
   static bool Report(double part);
 };
 
-/// The file's suffix is of no format that is read.
+/// No reader supports the file's suffix.
 class UnknownFormat : public Error
 {
 public:
   using Error::Error;
 };
 
-/// Reads INPUT, for all who do (the program, pixelexact.read): one mesh file and, where the format
-/// keeps them apart, its field files; or a time series. The reader is chosen by the suffix of the
-/// first. Throws Error, naming the file, when it cannot be read or its cells contradict its points,
-/// or has no such time, UnknownFormat where there is no reader; UsageError when the files do not go
+/// Reads INPUT for the program and for pixelexact.read: one mesh file and, in formats with separate
+/// field files, these; or a time series. The suffix of the first file chooses the reader. Throws
+/// Error, naming the file, when it cannot be read, its cells contradict its points, or it has no
+/// such time; UnknownFormat where there is no reader; UsageError when the files do not belong
 /// together.
 InputGrid ReadInput(const InputRequest& request);
 
-/// The times of INPUT's steps, ascending; empty: it knows no time. Throws as ReadInput.
+/// The times of INPUT's steps, ascending; empty where it has no time. Throws as ReadInput.
 std::vector<double> ReadTimes(InputRequest request);
 
 /// Whether a file of this name holds fields without their mesh.
 bool HoldsFieldsAlone(const std::string& file);
 
-// For those who add formats.
+// Functions for readers of further formats.
 
 /// Whether files with this suffix (".xml") hold a mesh of a format that is read.
 bool IsMeshSuffix(const std::string& suffix);
@@ -85,10 +85,10 @@ bool IsMeshSuffix(const std::string& suffix);
 /// Throws Error.
 [[noreturn]] void CannotRead(const std::string& file, const std::string& why);
 
-/// Throws UsageError where more than one file was given for a format that knows no other.
+/// Throws UsageError where several files were given for a format of single files.
 void CheckAlone(const std::vector<std::string>& files);
 
-/// The step that is asked for: the first one without a request, the one nearest to a time. `times`
-/// ascend; none: the input knows no time. Throws Error where there is no such step.
+/// The requested step: the first one without a request, else the one nearest to a time. `times`
+/// ascend; empty: the input has no time. Throws Error where there is no such step.
 int ChooseStep(const InputRequest& request, std::span<const double> times);
 } // namespace pixelexact

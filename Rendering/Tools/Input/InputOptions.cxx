@@ -3,7 +3,7 @@
 
 #include "Base/Numbers.h"
 
-// How INPUT is asked for on the command line.
+// Options of INPUT.
 namespace pixelexact
 {
 namespace

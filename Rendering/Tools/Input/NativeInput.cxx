@@ -98,7 +98,7 @@ InputGrid ReadMfemFiles(const InputRequest& request)
   std::set<std::string> known{ WithoutPiece(request.files[0]) };
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
-    // x.* names all pieces, of which one stands for the others.
+    // One piece of x.* represents all pieces.
     if (known.insert(WithoutPiece(request.files[i])).second)
     {
       reader->AddGridFunctionFileName(request.files[i].c_str());

@@ -8,8 +8,8 @@
 
 namespace pixelexact
 {
-/// The bicubic patches of a text file: per patch 16 lines "x y z", rows of u; blank lines count
-/// nothing, nor does what stands behind a #. Throws Error, naming file and line, for what is no
-/// such line, for numbers that are not finite, and where the last patch lacks points.
+/// Reads the bicubic patches of a text file: per patch 16 lines "x y z", rows of u. Blank lines and
+/// text after # are ignored. Throws Error, naming file and line, for other lines, for numbers that
+/// are not finite, and where the last patch lacks points.
 std::vector<BezierPatch> ReadPatches(const std::string& file);
 } // namespace pixelexact

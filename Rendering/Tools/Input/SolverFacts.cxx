@@ -84,7 +84,7 @@ SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid, const HighOrderModel& m
   vtkDataArray* ids = data->GetArray("PixelExact.Groups.Id");
   vtkDataArray* boundary = data->GetArray("PixelExact.Groups.Boundary");
   auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray("PixelExact.Groups.Name"));
-  // Any grid may carry arrays of these names.
+  // Checks the arrays, because any grid may have arrays with these names.
   const bool sound = ids != nullptr && boundary != nullptr && names != nullptr &&
     ids->GetNumberOfValues() == names->GetNumberOfValues() &&
     boundary->GetNumberOfValues() == names->GetNumberOfValues();

@@ -82,7 +82,7 @@ int StoredOrder(vtkUnstructuredGrid& grid, vtkIdType cell)
     default:
       break;
   }
-  // Cells of different orders by direction say so.
+  // Cells whose orders differ by direction store them.
   vtkDataArray* degrees = grid.GetCellData()->GetHigherOrderDegrees();
   if (degrees != nullptr && degrees->GetNumberOfComponents() == 3)
   {

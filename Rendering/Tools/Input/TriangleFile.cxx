@@ -39,8 +39,8 @@ vtkSmartPointer<vtkPolyData> ReadBy(const std::string& file)
   return reader->GetOutput();
 }
 
-/// Of a binary .stl that ends before the triangles that it counts, VTK's reader takes what is
-/// there.
+/// Throws where a binary .stl ends before its number of triangles. VTK's reader would return the
+/// incomplete surface.
 void RequireWholeStl(const std::string& file)
 {
   constexpr std::size_t kCount = 80; // where it stands, behind the title

@@ -75,7 +75,7 @@ struct Number
   std::size_t end = 0;
 };
 
-/// The number in which two names differ: what is before and behind it is the same.
+/// The number in which two names differ while the text before and after it is the same.
 Number Differing(const std::string& a, const std::string& b)
 {
   std::size_t begin = 0;
@@ -95,8 +95,8 @@ Number Differing(const std::string& a, const std::string& b)
   return { begin, end };
 }
 
-/// The number in a name that has it where `number` says in `model`; empty where the names differ in
-/// more.
+/// The number in a name at the place that `number` has in `model`; empty where the names differ
+/// elsewhere.
 std::string NumberIn(const std::string& name, const std::string& model, const Number& number)
 {
   const std::string before = model.substr(0, number.begin);

@@ -6,7 +6,8 @@
 
 namespace pixelexact
 {
-/// How many pictures are done, and how long the rest will take, on stderr where that is a terminal.
+/// Shows the number of finished pictures and the remaining time on stderr, where that is a
+/// terminal.
 class FrameProgress
 {
 public:
@@ -28,28 +29,28 @@ private:
 struct CommonOptions;
 struct RenderOptions;
 
-/// What an animation's pictures are made of: the bytes of the inputs and of options' files, this
-/// program, and the words that change pictures. Throws Error for a file that cannot be read.
+/// Identifies the sources of an animation: the bytes of the inputs and of options' files, this
+/// program, and the words that affect pictures. Throws Error for a file that cannot be read.
 std::string ProvenanceOf(const RenderOptions& options, const CommonOptions& common);
 /// The hash of one picture.
 std::string HashOf(const std::string& provenance, int frame, int frames);
-/// Whether a picture is there that says so.
+/// Whether a picture with this hash exists.
 bool IsThere(const std::string& file, const std::string& hash);
 
-/// Names of an animation's files: a pattern in which the picture's number, from 0, stands as %d,
-/// %04d or {frame}, and a time step's as {step}; the latter with as many digits as the last one.
+/// Names of an animation's files. In a pattern the picture's number, from 0, is written %d, %04d or
+/// {frame}, and a time step's {step}; steps have as many digits as the last one.
 class FrameNames
 {
 public:
-  /// `example`: a name as it could be. Throws UsageError for a pattern in which no number stands,
-  /// or another %.
+  /// `example`: a possible name. Throws UsageError for a pattern without a number, or with another
+  /// %.
   FrameNames(const char* option, const std::string& pattern, const std::string& example);
 
   [[nodiscard]] std::string Of(int frame, int step, int frames, int steps) const;
 
 private:
-  std::string Pattern; ///< {frame} and {step} alone
-  int Digits = 0;      ///< of a frame's number, at least; 0: as many as the last one has
+  std::string Pattern; ///< only {frame} and {step}
+  int Digits = 0;      ///< least number of digits of a frame; 0: that of the last frame
 };
 
 /// Whether a name is a video's, .mp4 or .webm.

@@ -26,7 +26,7 @@ public:
   void Check(const InputRequest& input) const;
 
   [[nodiscard]] bool IsAsked(const InputRequest& input) const;
-  /// How many; none: as many as there are time steps.
+  /// The number of frames; none: the number of time steps.
   [[nodiscard]] std::optional<int> Frames() const;
 
   /// Whether there is a plane of each frame's own; it is the first surface.

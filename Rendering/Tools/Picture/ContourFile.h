@@ -30,13 +30,13 @@ struct ContourFileOptions
 /// polynomial, or without a field.
 void CheckContourSurfaces(const Shot& shot);
 
-/// The contours of a layer that CheckContourSurfaces takes, of these values.
+/// The contours of a layer whose surface CheckContourSurfaces accepts, for these values.
 ContourSet ContoursOfLayer(
   const Shot& shot, std::size_t layer, const std::vector<double>& values, double tolerance);
 
-/// Writes the contours of each layer's field on its surface, of these values by layer, as a `.vtp`
-/// file with a cell array Layer; warns of what is not certified. Throws Error when the file cannot
-/// be written.
+/// Writes the contours of each layer's field on its surface, for these values by layer, as a `.vtp`
+/// file with a cell array Layer. Warns about lines that are not certified. Throws Error when the
+/// file cannot be written.
 void WriteContours(const ContourFileOptions& options, const Shot& shot,
   const std::vector<std::vector<double>>& values);
 } // namespace pixelexact

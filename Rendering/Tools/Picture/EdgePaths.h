@@ -11,14 +11,14 @@ namespace pixelexact
 struct Frame;
 struct Shot;
 
-/// The lines along which a plane, the only surface, crosses from one element into another, or out
-/// of the mesh, in pixels; none where it is another surface, and where lines would be in an eighth
-/// of the pixels, which small elements would make one dark patch.
+/// Finds the lines, in pixels, along which a plane crosses from one element into another, or out of
+/// the mesh. The plane must be the only surface. None for other surfaces, and where lines would
+/// cover an eighth of the pixels, as for small elements.
 ///
-/// Of pixels beside each other that show different elements, points between their centres are
-/// located until the place is known to 1/64 of a pixel; a line through these places is 1/32 exact,
-/// but for places where three elements meet, which are to a pixel. An element that no pixel's
-/// centre shows has no lines, and pixels that are unknown have none.
+/// For neighbouring pixels with different elements, points between their centres are located until
+/// the crossing is known to 1/64 of a pixel. A line through the crossings is exact to 1/32 of a
+/// pixel, and to a pixel where three elements meet. Elements that contain no pixel's centre have no
+/// lines, and neither have unknown pixels.
 std::optional<std::vector<std::vector<CanvasPoint>>> PathsOfEdges(
   const Shot& shot, const Frame& frame);
 } // namespace pixelexact

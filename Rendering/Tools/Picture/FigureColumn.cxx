@@ -45,7 +45,7 @@ void FigureColumn::DrawBar(
   for (int row = 0; row < height; ++row)
   {
     const std::uint8_t* color = &colors[4 * static_cast<std::size_t>(row)];
-    // Up to the row above: viewers of PDF would let the background through between rows.
+    // Extends to the row above, because viewers of PDF let the background through between rows.
     To.Fill(
       Left, y0 + row, width, std::min(2, height - row), { color[0], color[1], color[2], 255 });
   }
@@ -60,7 +60,7 @@ void FigureColumn::DrawBar(
     {
       part = std::log(tick.value / bar.range[0]) / std::log(bar.range[1] / bar.range[0]);
     }
-    // In the middle of a row of pixels, where a line is sharp.
+    // A line in the middle of a row of pixels is sharp.
     const double y = std::floor(y0 + part * height) + 0.5;
     To.Line(CanvasPoint{ Left + width + 1.0, y }, { Left + width + 0.4 * Font, y }, pen, Ink);
     To.Write(tick.text, Left + width + 0.7 * Font, y, TextAnchor::Left, Ink);

@@ -15,7 +15,8 @@ namespace pixelexact
 {
 namespace
 {
-/// In pixels of the grid in which the boundary is traced: what its stairs are from the line.
+/// Distance of a stepped line from the true one, in pixels of the grid in which the boundary is
+/// traced.
 constexpr double kStairs = 0.55;
 
 /// Places where a line is, and how much of each pixel it covers.
@@ -131,7 +132,7 @@ std::vector<std::vector<CanvasPoint>> MeshOutline::Paths(const Shot& shot, const
     std::vector<std::vector<CanvasPoint>> paths = SeenEdgesOfBox(shot, frame);
     for (std::vector<CanvasPoint>& path : paths)
     {
-      // It is straight.
+      // The path is straight.
       path = { path.front(), path.back() };
     }
     return paths;

@@ -14,13 +14,13 @@ namespace pixelexact
 {
 struct Shot;
 
-/// Where a cut is in the mesh: lines of the mesh's box or of its boundary, over the picture.
+/// Lines of the mesh's box or of its boundary over a picture, which show the cut's position.
 ///
-/// - Box: its edges, where no cut-surface is in front of them.
-/// - Boundary: where the boundary, traced for itself, ends before the background or before parts of
-///   itself that lie further away, and where its normal turns by 30 degrees or more from one pixel
-///   to the next. What the boundary hides has no lines. To half a pixel, in pictures of more than
-///   4 million to a whole one. Lines between pixels that are unknown are not drawn.
+/// - Box: its edges, where no cut-surface hides them.
+/// - Boundary: the silhouette of the boundary, traced without the cut, against the background and
+///   against its own parts that are further away, and lines where its normal turns by 30 degrees or
+///   more between neighbouring pixels. Hidden lines are left out. Lines are exact to half a pixel,
+///   in pictures of more than 4 million pixels to one. Lines between unknown pixels are left out.
 class MeshOutline
 {
 public:
@@ -28,9 +28,9 @@ public:
   [[nodiscard]] bool IsAsked() const { return Kind != Of::Nothing; }
   /// The buffers of centres that Draw reads.
   [[nodiscard]] Buffer Needs() const;
-  /// Points that a camera must see to see all of it.
+  /// Points that a camera must show for a complete outline.
   [[nodiscard]] std::vector<Vec3> Points(const Shot& shot) const;
-  /// On the image of a frame that is painted. Throws Error where the mesh has no boundary.
+  /// Draws on the image of a painted frame. Throws Error where the mesh has no boundary.
   void Draw(const Shot& shot, Frame& frame) const;
   /// The same lines in the picture's pixels. Throws as Draw.
   [[nodiscard]] std::vector<std::vector<CanvasPoint>> Paths(

@@ -25,7 +25,7 @@ namespace
 {
 /// The cosine of 30 degrees, by which a normal turns at an edge.
 const double kSharp = std::cos(std::numbers::pi / 6.0);
-/// In pixels: how far behind each other surfaces are that are not one.
+/// Least distance in depth, in pixels, of different surfaces.
 constexpr double kDepthStep = 3.0;
 /// Pixels up to which the boundary is traced finer than the picture.
 constexpr std::int64_t kFinePixels = std::int64_t{ 1 } << 24;
@@ -39,7 +39,7 @@ void AddEdge(const Vec3& from, const Vec3& to, const Projection& projection, con
   const auto last = projection.Of(to);
   if (!first || !last)
   {
-    // It leads behind the viewer.
+    // The edge leads behind the viewer.
     return;
   }
   const double length = std::hypot(last->at[0] - first->at[0], last->at[1] - first->at[1]);
@@ -66,7 +66,7 @@ void AddEdge(const Vec3& from, const Vec3& to, const Projection& projection, con
       ? frame.centres.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
           static_cast<std::size_t>(x)]
       : 0.0;
-    // Not a number: unknown. On the surface it is seen.
+    // The depth is NaN where the pixel is unknown. Points on the surface are visible.
     if (within && !(seen->depth > cut + projection.PixelAt(cut)))
     {
       path.push_back(seen->at);
@@ -79,7 +79,7 @@ void AddEdge(const Vec3& from, const Vec3& to, const Projection& projection, con
   end();
 }
 
-/// Tells where lines are between the pixels of a boundary's frame.
+/// Finds the lines between the pixels of a boundary's frame.
 class Steps
 {
 public:

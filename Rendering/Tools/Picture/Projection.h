@@ -10,14 +10,14 @@
 
 namespace pixelexact
 {
-/// Where a picture shows a point.
+/// The position of a point in a picture.
 struct ProjectedPoint
 {
   CanvasPoint at;
   double depth; ///< along the ray there, as of Buffer::Depth
 };
 
-/// From points to pixels: the inverse of a Camera's rays.
+/// Projects points to pixels: the inverse of a Camera's rays.
 class Projection
 {
 public:
@@ -28,7 +28,7 @@ public:
   /// The world's length of a pixel at a depth.
   [[nodiscard]] double PixelAt(double depth) const { return Parallel ? Slope : Slope * depth; }
 
-  /// The point that `view` sees where this one sees `point`, as far away.
+  /// The point that has in `view` the position and distance that `point` has here.
   [[nodiscard]] Vec3 AsSeenFrom(const CameraView& view, const Vec3& point) const;
 
 private:

@@ -13,7 +13,7 @@ namespace
 {
 constexpr int kSamplesOfFigures = 4;
 
-/// A file of another kind than its name says would mislead whoever opens it.
+/// Refuses a suffix that does not match the file's format.
 void CheckSuffix(const char* option, const std::string& file, const char* suffix)
 {
   if (!file.empty() && !IsStandardStream(file) && std::filesystem::path(file).extension() != suffix)

@@ -13,7 +13,7 @@ struct RenderOptions;
 /// Throws UsageError where there are several: `what` is for one process.
 void RefuseSeveralProcesses(const std::string& what);
 
-/// The same for options of render that ask for more of the mesh than surfaces meet.
+/// The same for options of render that need more of the mesh than the surfaces intersect.
 void CheckForSeveralProcesses(const RenderOptions& options);
 
 struct View;

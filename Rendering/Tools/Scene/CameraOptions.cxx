@@ -91,7 +91,8 @@ CameraView CameraOptions::Make(
       view.viewAngle = ViewAngle.value_or(view.viewAngle);
     }
     view.parallelScale = ParallelScale.value_or(view.parallelScale);
-    // As a vtkCamera would hold it, so that the mapper's rays for the same options are these.
+    // Rounds the view as a vtkCamera does, so that the mapper's rays for the same options are
+    // equal.
     view = AsHeld(view);
     (void)Camera(view, size.width, size.height);
   }

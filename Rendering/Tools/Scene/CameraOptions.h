@@ -22,7 +22,7 @@ public:
   /// Throws UsageError when the options contradict each other.
   [[nodiscard]] CameraView Make(
     const Box3& bounds, const Vec3& surfaceNormal, const ImageSize& size) const;
-  /// Whether it was said where it stands.
+  /// Whether the camera's position was given.
   [[nodiscard]] bool IsPlaced() const { return !Position.empty(); }
   /// Whether a parallel view's scale was given.
   [[nodiscard]] bool HasScale() const { return ParallelScale.has_value(); }

@@ -59,7 +59,7 @@ double Opacity(const std::string& value)
   return opacity;
 }
 
-/// One of two words.
+/// Returns whether a value is `first`; throws where it is neither of the two words.
 bool IsFirst(const std::string& value, const char* first, const char* second)
 {
   if (value != first && value != second)
@@ -139,7 +139,7 @@ std::vector<std::string> SplitSettings(const std::string& text)
   return settings;
 }
 
-/// Which surface was given what.
+/// The settings that were given, by surface.
 using Given = std::set<std::pair<int, std::string>>;
 
 void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& given)

@@ -13,8 +13,8 @@
 // The values at the ends of colour maps.
 namespace pixelexact
 {
-/// "cut", "field" or "all", each behind "symmetric-" or not, "symmetric", two numbers with
-/// `separator` between them, or two percentages. Throws UsageError.
+/// Parses "cut", "field" or "all", each optionally after "symmetric-", "symmetric", two numbers
+/// separated by `separator`, or two percentages. Throws UsageError.
 RangeRule ReadRange(const std::string& option, const std::string& text, char separator);
 
 /// Pixels whose value, on any sheet, the map of its layer does not show as what it is.
@@ -22,7 +22,8 @@ struct PixelsBeyond
 {
   std::int64_t below = 0; ///< the first end
   std::int64_t above = 0; ///< the last one
-  /// With a logarithm: of values that have none, which get the colour of NaN and are not `below`.
+  /// Number of values without a logarithm, which get the colour of NaN and are not counted in
+  /// `below`.
   std::int64_t noLogarithm = 0;
   std::array<double, 2> noLogarithmRange{}; ///< of these
 };

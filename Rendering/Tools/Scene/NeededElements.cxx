@@ -81,7 +81,7 @@ void ChooseEnds(int elements, const Number& number, Chosen& chosen)
   }
 }
 
-/// Those at the ends of the box, and those of the first and the last number.
+/// The elements at the ends of the box, and those with the first and the last number.
 Chosen Ends(const HighOrderModel& model)
 {
   const auto& index = model.GetLocator().Index();
@@ -109,7 +109,7 @@ Chosen Ends(const HighOrderModel& model)
   return ends;
 }
 
-/// Those chosen of all parts, as one grid with a model.
+/// Gathers the chosen elements of all parts as one grid with a model.
 void Gather(const LoadedModel& part, const Chosen& chosen, LoadedModel& gathered)
 {
   Grid sent = Grid::New();

@@ -7,10 +7,10 @@ namespace pixelexact
 {
 class SurfaceOptions;
 
-/// Of the parts of a mesh that several processes have read, the elements that these surfaces can
-/// meet, in the order of the whole mesh, on all processes: what is traced of them is what would be
-/// traced of the whole. Beside them the elements at the ends of the mesh's box, so that it has the
-/// same one. The part is given up. All processes must call it; throws Error on all of them.
+/// Gathers, from the parts of a mesh that several processes have read, the elements that these
+/// surfaces can intersect, in the order of the whole mesh, on all processes. Tracing them gives the
+/// result of the whole mesh. Elements at the ends of the mesh's box are included, so that the box
+/// stays the same. The part is consumed. All processes must call it; throws Error on all of them.
 LoadedModel WithNeededElements(LoadedModel part, const SurfaceOptions& surfaces);
 
 /// LoadModel for one process of several, whose part may be empty: it then has no model. Throws

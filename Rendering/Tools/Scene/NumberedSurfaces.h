@@ -27,7 +27,7 @@ struct NumberedSurface
   /// Throws Error for numbers of which there is none.
   std::shared_ptr<const Surface> (*make)(const GivenNumbers& numbers);
 };
-/// In the order of the help.
+/// The surfaces in the order of the help.
 extern const std::array<NumberedSurface, 7> kNumberedSurfaces;
 
 /// Throws UsageError, which begins with the option, for numbers that describe no surface.

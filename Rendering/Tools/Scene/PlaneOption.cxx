@@ -22,8 +22,8 @@ constexpr std::string_view kAxes = "xyz";
 /// Sides of a box that differ by less are alike.
 constexpr double kAlike = 0.01;
 
-/// To a millionth of the side or so, in decimals: the middle of a box whose bounds are off by
-/// rounding is 0 and not 1e-17.
+/// Rounds to about a millionth of the side, in decimals, so that the middle of a box whose bounds
+/// have rounding errors is 0 and not 1e-17.
 double Rounded(double at, double side)
 {
   if (!std::isnormal(side))
@@ -101,7 +101,7 @@ PlaneChoice::Place PlaneChoice::PlaceIn(const Box3& box) const
   place.normal[axis] = 1.0;
   place.origin[axis] =
     IsPart ? Rounded(std::lerp(box.lower[axis], box.upper[axis], At), sides[axis]) : At;
-  // No minus sign before a 0.
+  // Adding 0 removes the minus sign of -0.
   place.origin[axis] += 0.0;
   return place;
 }

@@ -80,7 +80,7 @@ Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
 {
   Layer layer{ surface, &field };
   const int components = layer.field->values.components;
-  // The component that is asked for of all is not asked of a field of one layer.
+  // A component for all layers does not apply to a layer with its own field.
   const std::optional<int> asked =
     settings.component ? settings.component : (settings.field ? std::nullopt : options.component);
   layer.component = asked.value_or(components == 1 ? 0 : kMagnitude);
@@ -124,7 +124,7 @@ void AddLayers(const ShotOptions& options,
   }
 }
 
-/// For those who want the same once more.
+/// Reports defaults, so that the picture can be reproduced.
 void ReportDefaults(const ShotOptions& options, Shot& shot)
 {
   const bool shared = std::ranges::any_of(
@@ -195,7 +195,7 @@ std::vector<LayerSettings> ShotOptions::MakeLayers() const
 
 namespace
 {
-/// As vtkMapper::GetClippingPlaneInDataCoords makes them.
+/// Half-spaces as vtkMapper::GetClippingPlaneInDataCoords returns them.
 std::vector<KeptHalfSpace> HalfSpacesOf(const std::vector<std::vector<double>>& planes)
 {
   std::vector<KeptHalfSpace> kept;

@@ -25,7 +25,7 @@ namespace pixelexact
 class Stopwatch;
 struct Shot;
 
-/// Which surfaces lights shine on, where a layer does not say so itself.
+/// Surfaces that lights shine on, where a layer has no setting of its own.
 enum class Lit
 {
   Curved, ///< all but flat ones
@@ -81,7 +81,7 @@ struct Shot
   Lit lights = Lit::Curved;
   /// Samples, edges and outlines; ViewOf adds what depends on layers and camera.
   Appearance appearance;
-  /// By layer, of the values that all pictures of an animation show (RangeRule::Of::All).
+  /// By layer, the range of the values in all pictures of an animation (RangeRule::Of::All).
   std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
   std::vector<TruncatedField> truncated; ///< what is shown without its top modes
   std::vector<std::string> chosen; ///< words of a command line that were not given, and are so

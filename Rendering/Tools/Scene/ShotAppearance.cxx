@@ -18,7 +18,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Where nothing else is said, of layers without a field.
+/// Default colour of layers without a field.
 constexpr std::array<double, 3> kNoField{ 0.6, 0.7, 0.8 };
 
 /// The colour in the place of the map's; none: by value.
@@ -29,7 +29,7 @@ std::optional<std::array<double, 3>> SolidOf(
   {
     return settings.color;
   }
-  // A layer that asks for a map has one.
+  // A layer with an explicit map uses it.
   if (colors.Solid() && !settings.colormap && !settings.range)
   {
     return colors.Solid();
@@ -81,8 +81,8 @@ private:
   std::string Field; ///< its name, for messages
 };
 
-/// The first layer that shows the same values in a range that is found, too; its own number where
-/// the range is given.
+/// The first layer with the same values whose range is also computed; the layer's own number where
+/// its range is given.
 std::size_t GroupOf(const Appearance& appearance, const Shot& shot, std::size_t layer)
 {
   const std::vector<Layer>& layers = shot.scene.layers;

@@ -18,12 +18,12 @@ struct Shot;
 [[nodiscard]] View ViewOf(
   const ColorOptions& colors, const ContourOptions* contours, const Shot& shot);
 
-/// How the layers of a shot are shown, in numbers: their colour maps and ranges, and the painter.
+/// The resolved appearance of a shot's layers: colour maps and ranges, and the painter.
 class ShotAppearance
 {
 public:
-  /// Of a frame that has the buffers of NeedsOf(ViewOf(...)). `bounds`: as of Painter. The
-  /// options and the shot must outlive it. Throws Error as Resolve and Painter.
+  /// `frame` must have the buffers of NeedsOf(ViewOf(...)). `bounds`: as in Painter. The options
+  /// and the shot must outlive this object. Throws Error as Resolve and Painter.
   ShotAppearance(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot,
     const Frame& frame, std::shared_ptr<ContourBounds> bounds = nullptr);
   ShotAppearance(const ShotAppearance&) = delete;
@@ -34,7 +34,7 @@ public:
   [[nodiscard]] Painter& GetPainter() { return *Paints; }
   [[nodiscard]] const Painter& GetPainter() const { return *Paints; }
 
-  /// By layer, of the colours of its surface; none: it is painted in one colour.
+  /// By layer, the range of the colours of its surface; none: it has one colour.
   [[nodiscard]] const std::vector<ValueRange>& Ranges() const { return ranges_; }
   [[nodiscard]] const std::vector<ColorMap>& Maps() const { return maps_; }
 

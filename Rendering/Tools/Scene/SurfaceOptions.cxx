@@ -27,7 +27,7 @@ GivenSurface Made(std::shared_ptr<const Surface> surface)
   { return surface; };
 }
 
-/// One that `make` makes of the mesh. Its errors get the option's name.
+/// A surface that `make` creates from the mesh. Its errors get the option's name.
 template <class Make>
 GivenSurface OfMesh(const char* option, Make make)
 {

@@ -15,7 +15,7 @@
 
 namespace pixelexact
 {
-/// A cut-surface that was given: there already, or made of a model's mesh. Throws Error, which
+/// Supplies a cut-surface: an existing one, or one created from a model's mesh. Throws Error, which
 /// names the option.
 using GivenSurface =
   std::function<std::shared_ptr<const Surface>(const std::shared_ptr<const HighOrderModel>& model)>;
@@ -31,17 +31,17 @@ public:
 
   /// Whether there are any; else a plane is chosen.
   [[nodiscard]] bool AreGiven() const { return CountGiven() > 0; }
-  /// How many there are.
+  /// The number of surfaces.
   [[nodiscard]] std::size_t Count() const { return AreGiven() ? CountGiven() : 1; }
 
-  /// What needs no mesh is made here, and files are read. Throws UsageError when a number describes
+  /// Creates surfaces that need no mesh, and reads files. Throws UsageError when a number describes
   /// no surface, Error for a file that cannot be read.
   [[nodiscard]] std::vector<GivenSurface> Make() const;
 
-  /// The same without those that are made of the mesh's elements.
+  /// The same without surfaces that consist of the mesh's elements.
   [[nodiscard]] std::vector<GivenSurface> MakeInSpace() const;
 
-  /// How many of them, the last ones, are walls of iso-surfaces.
+  /// The number of walls of iso-surfaces, which are the last surfaces.
   [[nodiscard]] std::size_t CountWalls() const { return Walls ? Isos.size() : 0; }
 
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
@@ -57,7 +57,7 @@ public:
   /// The first surface, where numbers describe it and it is no plane; empty otherwise.
   [[nodiscard]] Described First() const;
 
-  /// The fields whose values surfaces are made of, as they were named (IsoText::name).
+  /// The fields whose values define surfaces, as they were named (IsoText::name).
   [[nodiscard]] std::vector<std::string> Fields() const;
 
 private:

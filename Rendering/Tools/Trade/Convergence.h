@@ -44,7 +44,7 @@ struct SeriesOrder
 class Convergence
 {
 public:
-  /// At least one row.
+  /// `rows` has at least one row.
   explicit Convergence(std::vector<SeriesRow> rows);
 
   [[nodiscard]] const std::vector<SeriesRow>& Rows() const { return rows_; }

@@ -16,9 +16,9 @@ class DifferenceOptions;
 struct Shot;
 struct ShotOptions;
 
-/// A difference in colours: a map over the same length to both sides of 0, of norms from their
-/// least, unless ranges and maps are given; pixels in which only one solution has a value in
-/// colours of their own, beside the bar.
+/// The colours of a difference. The map extends equally to both sides of 0, for norms from their
+/// minimum, unless range and map are given. Pixels in which only one solution has a value have
+/// other colours, shown beside the bar.
 class DifferencePicture
 {
 public:
@@ -29,7 +29,7 @@ public:
 
   [[nodiscard]] const std::array<double, 2>& Range() const { return range_; }
 
-  /// The file's bytes, of the format that its name says. Throws Error.
+  /// The file's bytes, in the format of its suffix. Throws Error.
   [[nodiscard]] std::string Encode(const DifferenceOptions& difference, const ImageSize& size,
     const PictureTexts& texts, const std::string& file) const;
 
@@ -41,8 +41,8 @@ private:
   std::array<double, 2> range_{};
 };
 
-/// Writes values, bounds, sides, positions and elements of the pixels. `firstCells`,
-/// `secondCells`: what users know elements by. Throws Error.
+/// Writes values, bounds, sides, positions and elements of the pixels. `firstCells`, `secondCells`:
+/// the elements' numbers for users. Throws Error.
 void WriteDifference(const std::string& file, const FieldDifference& difference,
   std::span<const std::int64_t> firstCells, std::span<const std::int64_t> secondCells);
 } // namespace pixelexact

@@ -17,15 +17,15 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// What VTK's filters make of a cut: elements cut into linear cells (vtkHighOrderSubdivide, level
-/// 0 to 5), vtkCutter, vtkIntegrateAttributes.
+/// The integral by VTK's filters: elements subdivided into linear cells (vtkHighOrderSubdivide,
+/// level 0 to 5), vtkCutter, vtkIntegrateAttributes.
 struct LinearIntegral
 {
   double area = 0.0;
   std::vector<double> integrals; ///< of the field's components
   std::int64_t triangles = 0;
 };
-/// `field`: empty: none. Throws Error with what VTK says.
+/// `field` may be empty for none. Throws Error with VTK's message.
 LinearIntegral IntegrateLinearly(
   vtkUnstructuredGrid* grid, vtkImplicitFunction* function, const std::string& field, int level);
 

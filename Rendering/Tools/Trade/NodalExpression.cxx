@@ -33,7 +33,7 @@ bool IsDerivative(const Graph::Node& leaf)
   return leaf.operation == Operation::Slope || leaf.operation == Operation::Curvature;
 }
 
-/// In the language of the text; empty where a point of a grid has it.
+/// The name in the text's language; empty for quantities at a grid's points.
 std::string NameOfElementalLeaf(Operation operation)
 {
   switch (operation)
@@ -153,7 +153,7 @@ NodalExpression::Differentiated NodalExpression::Differentiate(vtkPointSet* grid
   const vtkIdType points = grid->GetNumberOfPoints();
   RequireMemory(8.0 * (twice ? 13.0 : 4.0) * columns * static_cast<double>(points),
     "derivatives at " + Counted(points, "point"), "lower the level");
-  // One array for all: the filter then visits each cell once.
+  // One array for all expressions, so that the filter visits each cell once.
   vtkNew<vtkDoubleArray> values;
   values->SetName("PixelExact.Values");
   values->SetNumberOfComponents(columns);

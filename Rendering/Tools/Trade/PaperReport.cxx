@@ -26,7 +26,7 @@ struct Figure
   const char* name;
   const char* title;
   const char* across;
-  const char* paper; ///< what its text or caption says in numbers; empty: a curve alone
+  const char* paper; ///< numbers in the paper's text or caption; empty: only a curve
 };
 constexpr std::array<Figure, 8> kFigures{ {
   { "8a", "Sampling a grid over the volume", "samples", "" },

@@ -13,7 +13,7 @@ namespace pixelexact
 /// which it makes. Throws Error where that is not possible.
 void WritePaper(const std::string& folder, const PaperResults& results);
 
-/// Prints all of it, beside the numbers that the paper's text and captions give.
+/// Prints all results with the numbers in the paper's text and captions.
 void PrintPaper(const PaperResults& results);
 nlohmann::ordered_json ToJson(const PaperResults& results);
 } // namespace pixelexact

@@ -50,7 +50,7 @@ OtherSolution LoadOther(
 {
   const Field& first = *shot.scene.layers.front().field;
   OtherSolution other;
-  // All fields, where the name is not sure to be there.
+  // Loads all fields where the name may be missing.
   other.input =
     LoadModel(request, fieldName.empty() ? first.name : fieldName, stopwatch, shot.input.grid);
   WarnOfDiagnostics(other.input);

@@ -39,7 +39,7 @@ bool IsOfGradientFilter(TradeFamily family)
 FreshModel::FreshModel(const Shot& shot)
   : grid(vtkSmartPointer<vtkUnstructuredGrid>::Take(shot.input.grid->NewInstance()))
 {
-  // Copies of the arrays: models share what they know where these are the same.
+  // Copies the arrays, because models with the same arrays share bounds and trees.
   grid->DeepCopy(shot.input.grid);
   model = HighOrderModel::From(grid.Get());
 }

@@ -22,7 +22,7 @@ namespace pixelexact
 {
 namespace
 {
-/// As Python reads it.
+/// Quotes a text for Python.
 std::string PythonQuoted(const std::string& text)
 {
   return nlohmann::json(text).dump();

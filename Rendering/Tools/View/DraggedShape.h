@@ -24,7 +24,7 @@ public:
   /// Puts the widget where the surface is, in a mesh's box as of vtkDataSet::GetBounds.
   virtual void Place(const double* bounds) = 0;
   [[nodiscard]] virtual vtkAbstractWidget& Widget() = 0;
-  /// Where the widget is. Throws Error where that is no surface, as with a radius of 0.
+  /// The surface at the widget's position. Throws Error where there is none, as with a radius of 0.
   [[nodiscard]] virtual std::shared_ptr<const Surface> Now() const = 0;
   /// The same as a word of the command line, "--sphere=0,0,0,1".
   [[nodiscard]] virtual std::string Word() const = 0;

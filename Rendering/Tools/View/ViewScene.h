@@ -22,7 +22,7 @@ namespace pixelexact
 class ViewScene
 {
 public:
-  /// Contours where the command line asks for none.
+  /// Number of contours where the command line gives none.
   static constexpr int kDefaultContours = 10;
 
   /// The options must outlive this.

@@ -22,10 +22,10 @@ class vtkRenderer;
 
 namespace pixelexact
 {
-/// A window with a cut, by VTK: vtkHighOrderMapper draws it, a widget moves the first surface where
-/// that is a DraggedShape, vtkHighOrderPicker reads what is under the pointer. What
-/// render's options say beyond that is drawn by the figure that `s` saves: it is made by render
-/// itself, of words that are printed.
+/// A window with a cut, drawn by VTK. vtkHighOrderMapper draws it, a widget moves the first surface
+/// if that is a DraggedShape, and vtkHighOrderPicker reads the pixel under the pointer. Effects of
+/// render's other options are only in the figure that `s` saves: render makes it from a printed
+/// command line.
 class ViewWindow
 {
 public:
@@ -37,7 +37,7 @@ public:
 
   /// Until it is closed.
   void Show();
-  /// A key was pressed; false: it has no meaning here.
+  /// Handles a key. Returns false where it has no meaning here.
   bool Press(const std::string& key);
 
 private:
