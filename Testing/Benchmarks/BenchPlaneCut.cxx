@@ -49,7 +49,7 @@ Scene SceneOf(const PlaneCut& cut)
   return scene;
 }
 
-/// One element's coefficients, a batch of points in cache: nothing but the evaluation.
+/// The kernel alone: one element's coefficients and a batch of points, all in cache.
 void BareKernel(benchmark::State& state)
 {
   const PlaneCut& cut = GetPlaneCut(static_cast<int>(state.range(0)));
@@ -195,8 +195,9 @@ public:
   void Process(TileVisit& tile) override { benchmark::DoNotOptimize(tile.Corners().value.data()); }
 };
 
-/// What a pipeline adds to a frame, on one thread. Argument 1: 0 nothing is painted; 1 colours,
-/// tile by tile; 2 the same when all is traced; 3 corners beside the centres, for a module.
+/// Times that a pipeline adds to a frame, on one thread. Argument 0: nothing is painted; 1:
+/// colours, tile by tile; 2: colours after tracing; 3: corners in addition to centres, for a
+/// module.
 void Pipelines(benchmark::State& state)
 {
   const PlaneCut& cut = GetPlaneCut(static_cast<int>(state.range(0)));
@@ -265,7 +266,7 @@ void VtkProbe(benchmark::State& state)
   state.counters["error_of_range"] = worst / (high - low);
 }
 
-/// From arrays to the first query: bounds and hierarchy.
+/// Time from arrays to the first query: bounds and hierarchy.
 void BuildLocator(benchmark::State& state)
 {
   const PlaneCut& cut = GetPlaneCut(static_cast<int>(state.range(0)));

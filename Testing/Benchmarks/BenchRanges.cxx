@@ -20,7 +20,7 @@ Space SpaceFor(Shape shape, int order)
   return UniformSpace(shape, order);
 }
 
-/// One mode's contribution is `decay` times that of the next lower total degree; the largest is 1.
+/// Random modes whose contributions decrease by `decay` with each total degree; the largest is 1.
 std::vector<double> Modes(const Space& space, double decay, Random& random)
 {
   std::vector<double> modes;

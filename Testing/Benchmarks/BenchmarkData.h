@@ -33,7 +33,7 @@ struct PlaneCut
 /// The camera looks along the normal and the cut fills most of the image.
 const PlaneCut& GetPlaneCut(int set);
 
-/// A camera of `pixels` x `pixels` that sees the whole of a set along its plane's normal.
+/// A camera of `pixels` x `pixels` that shows a whole set along its plane's normal.
 Camera ViewOf(const PlaneCut& cut, int pixels);
 
 /// Every `stride`-th of the cut's inside points.

@@ -72,7 +72,7 @@ Share Measure(const Locator& locator, std::span<const Vec3> points)
   share.candidates = counters.candidates - candidates;
   share.inside = std::ranges::count(verdict, Verdict::Inside);
   share.unknown = std::ranges::count(verdict, Verdict::Unknown);
-  // What happens to a point depends on the point alone: so one by one shows which needed it.
+  // The result of a point does not depend on others, so single points show which ones need it.
   std::vector<Vec3> others;
   for (const Vec3& x : points)
   {

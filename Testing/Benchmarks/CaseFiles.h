@@ -36,7 +36,7 @@ inline std::vector<std::filesystem::path> MeshFilesIn(const std::filesystem::pat
   return files;
 }
 
-/// The points of all oracles beside a mesh file.
+/// The points of all oracles in the folder of a mesh file.
 inline std::vector<Vec3> OraclePoints(const std::filesystem::path& file)
 {
   const std::string stem = file.stem().string();

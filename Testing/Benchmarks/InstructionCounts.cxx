@@ -64,7 +64,7 @@ void Count(const BlockKind& kind)
       }
     });
   const Pipeline pipeline{ { &colors }, {} };
-  // What is made once is not what a frame costs.
+  // The first frame includes work that is done once, so it is not counted.
   const std::int64_t points = Trace(scene, camera, pipeline).counters.exact;
   const std::string name = NameOf(kind);
   std::printf("%s\t%lld\n", name.c_str(), static_cast<long long>(points));

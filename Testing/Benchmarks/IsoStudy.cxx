@@ -49,7 +49,7 @@ double ProcessorSeconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What a case is made of; it makes surfaces with nothing kept.
+/// The parts of a case. It makes surfaces without cached data.
 struct IsoCase
 {
   const Mesh* mesh = nullptr;
@@ -123,7 +123,7 @@ Cost Measure(const IsoCase& of, int side)
   return cost;
 }
 
-/// In a process of its own.
+/// Runs `make` in a process of its own.
 template <class Make>
 Cost Alone(const Make& make)
 {

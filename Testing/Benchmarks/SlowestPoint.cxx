@@ -50,7 +50,7 @@ std::vector<Vec3> PointsFor(
   return points;
 }
 
-/// One line a point: two lists of the same points can be compared.
+/// Writes one line per point, so that two lists of the same points can be compared.
 class PointList
 {
 public:

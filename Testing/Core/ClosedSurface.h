@@ -15,8 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Whether the faces that are said to be a mesh's boundary close: Gauss' theorem, by quadrature in
-// eta, with the signs of the shapes' table.
+// Checks by Gauss' theorem that the boundary faces of a mesh are closed, with quadrature in eta and
+// the signs of the shapes' table.
 namespace pixelexact::testing
 {
 struct SurfaceIntegrals

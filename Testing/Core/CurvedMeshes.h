@@ -20,7 +20,7 @@ inline LongVec3 Bend(const LongVec3& u)
     c + 0.08L * a * b + 0.07L * a * a + 0.03L * b * b * c };
 }
 
-/// Where the bent cube is put.
+/// Position and scale of the bent cube.
 struct Placement
 {
   LongVec3 scale{ 1.0L, 1.0L, 1.0L };
@@ -37,7 +37,7 @@ struct Placement
   }
 };
 
-/// As flat as a boundary layer.
+/// A cube that is as flat as a boundary layer.
 inline const Placement kThinPlacement{ { 1.0L, 1e-3L, 1.0L }, { 0.0L, 0.0L, 0.0L } };
 /// Some hundred sizes away from the origin.
 inline const Placement kFarPlacement{ { 0.01L, 0.01L, 0.01L }, { 3.0L, -7.0L, 5.0L } };
@@ -57,7 +57,7 @@ struct CubeBox
   std::array<double, 3> lower;
   double side;
 
-  /// Corner or face centre: 0, 1, 2 along each axis stand for low, middle, high.
+  /// A corner or face centre; i, j, k are 0, 1, 2 for low, middle and high.
   [[nodiscard]] LongVec3 At(int i, int j, int k) const
   {
     return { lower[0] + side / 2 * i, lower[1] + side / 2 * j, lower[2] + side / 2 * k };
@@ -131,8 +131,8 @@ private:
     Add(Shape::Pyramid, corner(0, 0), corner(2, 0), corner(0, 2), block.At(1, 1, 1));
   }
 
-  /// The element with the vertex xi = (-1,-1,-1) at `origin` and those at xi_i = 1 at the others.
-  /// Two axes of the base are swapped where that makes it right-handed.
+  /// Adds the element with the vertex xi = (-1,-1,-1) at `origin` and its neighbours along xi_i at
+  /// the other points. Swaps two axes of the base where that makes it right-handed.
   void Add(Shape shape, const LongVec3& origin, const LongVec3& first, const LongVec3& second,
     const LongVec3& third)
   {

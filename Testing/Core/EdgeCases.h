@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-// Elements with fields of noise, what EdgeBounds knows of them, and what is true of their points.
+// Elements with fields of noise, their EdgeBounds, and reference values at points.
 namespace pixelexact::testing
 {
 inline const Vec3 kEdgeCaseCentre{ 3.0, -2.0, 1.0 };
@@ -84,7 +84,7 @@ inline QuadVec3 PointAt(const Segment& segment, const Quad& t)
   return x;
 }
 
-/// An element with a field of noise, and what is known of it.
+/// An element with a field of noise, and its bounds.
 struct EdgeCase : RangeCase
 {
   EdgeCase(Shape shape, int mapOrder, int fieldOrder, Random& random, double flat = 1.0)
@@ -133,7 +133,7 @@ struct EdgeCase : RangeCase
     return EvaluateQuad(field.values, 0, xi)[0].value;
   }
 
-  /// By the locator; nothing outside.
+  /// The point as the locator finds it; nothing outside.
   [[nodiscard]] std::optional<LocatedPoint> Located(const Vec3& x) const
   {
     std::int32_t element = -1;
@@ -162,7 +162,7 @@ inline QuadVec3 ToQuad(const Vec3& x)
   return { x.x, x.y, x.z };
 }
 
-/// How far a xi is within the shape, at its nearest face; negative outside.
+/// The distance of a xi from the nearest face, negative outside of the shape.
 inline double DepthIn(Shape shape, const QuadVec3& at)
 {
   const Vec3 xi(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));

@@ -10,7 +10,7 @@
 // Manufactured elements with random fields, their enclosures, and what the values truly are.
 namespace pixelexact::testing
 {
-/// How an element is made.
+/// Properties of an element.
 struct EnclosureCase
 {
   Shape shape = Shape::Hexahedron;
@@ -64,7 +64,7 @@ public:
       space.form = c.form;
       return space;
     };
-    // A pyramid's Collapsed functions of some order hold the polynomials in xi of that order alone.
+    // Collapsed functions of a pyramid contain only the polynomials in xi of the same order.
     const bool rational = c.shape == Shape::Pyramid;
     Builder.Add(spaceOf(rational && c.mapOrder > 2 ? 4 : c.mapOrder),
       [&](const LongVec3& xi) { return MapOfOrder(c.mapOrder, xi); });

@@ -12,8 +12,8 @@
 // held against.
 namespace pixelexact::testing
 {
-/// 4400 bits hold any product, sum or square of two doubles exactly; quotients and roots are
-/// rounded as asked.
+/// 4400 bits represent any product, sum or square of two doubles exactly. Quotients and roots are
+/// rounded in the given direction.
 class Exact
 {
 public:
@@ -30,7 +30,7 @@ public:
 
 using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// Whether `interval` holds a op b, judged by bounds of it on either side.
+/// Whether `interval` contains a op b, checked with bounds of the result on both sides.
 inline bool HoldsResult(const Interval& interval, Operation operation, double a, double b)
 {
   const Exact x(a);

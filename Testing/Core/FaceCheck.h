@@ -16,7 +16,7 @@
 #include <mutex>
 #include <string>
 
-// Points on and beside the faces of a mesh, and whether an element that location names holds them.
+// Checks that elements found for points on and near faces of a mesh contain them.
 namespace pixelexact::testing
 {
 /// Points of one kind on one mesh: $PIXELEXACT_FACE_POINTS, by default few enough for every run.
@@ -60,7 +60,7 @@ struct FaceReport
   }
 };
 
-/// Where a xi lies: in the shape, past its faces by no more than their tolerance, or farther out.
+/// The position of a xi: in the shape, outside by at most the faces' tolerance, or further outside.
 enum class Side
 {
   Inside,
@@ -114,9 +114,9 @@ public:
   {
     const Shape shape = mesh_.ShapeOf(element);
     const Vec3 uncertainty = Uncertainty(element);
-    // At a pyramid's apex, where its Jacobian depends on the direction of approach, the tolerance
-    // is held against the image of the nearest point of the pyramid: beyond the apex its functions,
-    // which are rational, are not continued.
+    // At a pyramid's apex the Jacobian depends on the direction of approach. There the tolerance is
+    // compared with the image of the nearest point of the pyramid, because its rational functions
+    // have no continuation beyond the apex.
     if (shape == Shape::Pyramid && 1.0 - xi.z < kNearApex)
     {
       return IsImage(element, IntoPyramid(xi), x, 6.0 * uncertainty);
@@ -133,7 +133,7 @@ public:
     return IsImage(element, xi, x, rounding) && SideOf(element, ToLong(xi)) != Side::Beyond;
   }
 
-  /// Not for a xi next to a pyramid's apex.
+  /// Must not be called for a xi near a pyramid's apex.
   [[nodiscard]] Side SideOf(int element, const LongVec3& xi)
   {
     const Vec3 uncertainty = Uncertainty(element);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-// What tests of integrals share.
+// Helpers of the tests of integrals.
 namespace pixelexact::testing
 {
 inline ImplicitPolynomial PlaneForm(const Vec3& normal, double c)
@@ -18,7 +18,7 @@ inline ImplicitPolynomial PlaneForm(const Vec3& normal, double c)
   return form;
 }
 
-/// Holds the value, and is as narrow as was asked for.
+/// Checks that an interval contains the value and is at most `width` wide.
 inline void ExpectHolds(const Interval& found, double value, double width, const char* what)
 {
   EXPECT_TRUE(found.Contains(value))

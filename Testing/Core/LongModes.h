@@ -101,7 +101,7 @@ private:
     }
   }
 
-  /// Of the mode (p, q, *): alpha of P_r^alpha, and the power of h3 not yet in the other factors.
+  /// For the mode (p, q, *): alpha of P_r^alpha, and the power of h3 that the other factors lack.
   static std::array<int, 2> LastFactor(const Space& space, int p, int q)
   {
     const int m = std::max(p, q);

@@ -83,7 +83,7 @@ struct QuadPolynomial
     return result;
   }
 
-  /// In Bernstein form over the unit cube, rounded to double; the error is that rounding.
+  /// The Bernstein form over the unit cube, rounded to double. Its error is that rounding.
   [[nodiscard]] TensorPolynomial Rounded() const
   {
     const auto binomial = [](int n, int k)
@@ -188,7 +188,7 @@ inline QuadPolynomial operator*(const QuadPolynomial& a, const QuadPolynomial& b
   return product;
 }
 
-/// f_k = 0 for as many polynomials as variables.
+/// A system f_k = 0 with the same number of polynomials and variables.
 class QuadSystem
 {
 public:

@@ -39,7 +39,7 @@ LocatedPoints LocatePoints(const Locator& locator, std::span<const Vec3> x)
   return answers;
 }
 
-/// How far Phi(xi) is from x, in units of what is allowed.
+/// The distance of Phi(xi) from x, relative to the allowed one.
 double Miss(const Locator& locator, LongMap& map, int element, const Vec3& xi, const Vec3& x)
 {
   const LongVec3 image = map(element, ToLong(xi));
@@ -49,7 +49,7 @@ double Miss(const Locator& locator, LongMap& map, int element, const Vec3& xi, c
   for (int d = 0; d < 3; ++d)
   {
     const auto apart = static_cast<double>(std::fabs(image[d] - static_cast<long double>(x[d])));
-    // Half of the uncertainty is the evaluation's, here and there.
+    // Half of the uncertainty is the rounding of the two evaluations.
     most = std::max(most, apart / (size * (kMaxMiss + 1.0) * bounds.uncertainty[d]));
   }
   return most;
@@ -81,7 +81,7 @@ MeshBuilder PinchedHexahedron(long double eps)
   return mesh;
 }
 
-/// One face collapsed to an edge: x = (1 + a) / 2, y = (1 + a) b / 2, z = c.
+/// A hexahedron with one face collapsed to an edge: x = (1 + a) / 2, y = (1 + a) b / 2, z = c.
 MeshBuilder CollapsedHexahedron()
 {
   MeshBuilder mesh;

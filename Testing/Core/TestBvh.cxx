@@ -41,7 +41,8 @@ Box3 BoundsOf(const std::vector<Box3>& boxes)
   return bounds;
 }
 
-/// By how much, at least, the line misses the box, in the largest coordinate; below 0: it meets it.
+/// A lower bound of the distance by which the line misses the box, in the largest coordinate;
+/// negative where it intersects.
 long double Gap(const Box3& box, const Vec3& origin, const Vec3& direction)
 {
   long double from = 0.0L;
@@ -82,7 +83,7 @@ TEST(Bvh, NoBoxAlongARayIsMissedAndFewOthersAreFound)
       const Bvh bvh(boxes, bounds);
       for (int i = 0; i < 400; ++i)
       {
-        // At a box, along an axis now and then, from near and far.
+        // Aims at a box, sometimes along an axis, from near and far.
         const Box3& at = boxes[static_cast<std::size_t>(i)];
         Vec3 direction(random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0));
         direction[i % 3] *= i % 4 == 0 ? 0.0 : 1.0;
@@ -115,7 +116,7 @@ TEST(Bvh, NoBoxAlongARayIsMissedAndFewOthersAreFound)
     }
   }
   EXPECT_GT(met, 5000U);
-  // Those that share a leaf with one that is met.
+  // Boxes in the same leaf as an intersected one are also visited.
   EXPECT_LT(extra, met / 3);
 }
 

@@ -47,7 +47,7 @@ TEST_P(ContourInOneElement, LoopThatNoFaceSees)
 {
   const auto [shape, order] = GetParam();
   const Vec3 centre = Centre(shape);
-  // Of degree order / 2, so that the squared distance is of the field's.
+  // The map has degree order / 2, so that the squared distance has the field's degree.
   const int bend = order / 2;
   const auto bent = [bend](const LongVec3& xi)
   {
@@ -171,7 +171,7 @@ TEST(Contour, SurfaceAlongAFaceIsDrawnOnce)
   {
     EXPECT_EQ(vertex.element, 0);
   }
-  // The contour that leaves the square, too: four arcs from edge to edge.
+  // The contour that leaves the square is also found: four arcs from edge to edge.
   const ContourSet arcs = ContoursOf(mesh, values, cut, { 1.21 }, 1e-6);
   EXPECT_EQ(arcs.lines.size(), 4U);
 }
@@ -254,8 +254,8 @@ TEST(Contour, LoopsCloserThanAnySampling)
   }
 }
 
-/// Lines that do not meet, closed or from boundary to boundary, divide a square into one region
-/// more than there are lines: counted by flooding pixels.
+/// Disjoint lines that are closed or end at the boundary divide a square into one more region than
+/// there are lines. The regions are counted by flooding pixels.
 TEST(Contour, RandomFieldsHaveAsManyLinesAsRegions)
 {
   constexpr int kPixels = 700;
@@ -291,7 +291,8 @@ TEST(Contour, PiecesBesideAnEdge)
     const ExpansionBuilder values =
       FieldOf(mesh, 1, [](const LongVec3& x) { return x[0] + 0.3L * x[2]; });
     const PolynomialCut cut(ImplicitPolynomial::Plane({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
-    // Through (1 - gap, z = 1): from the lower element, which the faces x = 1 and z = 1 end.
+    // The contour passes (1 - gap, z = 1), in the lower element, which ends at the faces x = 1 and
+    // z = 1.
     const ContourSet set = ContoursOf(mesh, values, cut, { 1.3 - gap, 1.3 + gap }, 1e-6);
     EXPECT_EQ(set.lines.size(), 2U) << gap;
     EXPECT_EQ(set.report.lost, 0) << gap;
@@ -361,7 +362,7 @@ TEST(Contour, ConstantsAndWhatIsNoNumberAreTold)
   EXPECT_THROW(ContoursOf(mesh, values, cut, { 0.5 }, 0.0), InvalidData);
 }
 
-/// Whichever values are asked for: of a magnitude, those that it cannot have do not count.
+/// NaN elements are reported for all values. Values that a magnitude cannot have are ignored.
 TEST(Contour, WhatIsNoNumberIsToldWhateverTheValues)
 {
   const MeshBuilder builder = Stack(2);
@@ -393,7 +394,7 @@ TEST(Contour, WhatIsNoNumberIsToldWhateverTheValues)
   }
 }
 
-/// A quadric that does not say so.
+/// A quadric that does not return its polynomial.
 class AnyCut final : public CutFunction
 {
 public:
@@ -435,7 +436,7 @@ TEST(Contour, QuadricsAndOtherFunctions)
   EXPECT_NEAR(Measure(any, any.lines[0], AnyCut(ball)).length, 2.0 * kPi * radius, 1e-9);
 }
 
-/// The field is the value on all of the surface: there is no line, and the report says so.
+/// Where the field has the value on the whole surface, there is no line, and the report states it.
 TEST(Contour, PlateausAreToldAndHaveNoLines)
 {
   const MeshBuilder builder = Stack(1);
@@ -460,7 +461,7 @@ TEST(Contour, PlateausAreToldAndHaveNoLines)
       EXPECT_TRUE(set.lines.empty()) << order;
     }
   }
-  // A value a little beside it has none, and is decided.
+  // A slightly different value has no lines, and is decided.
   const ContourSet beside = ContoursOf(
     mesh, FieldOf(mesh, 2, [](const LongVec3& x) { return x[2]; }), plane, { 0.25 + 1e-13 }, 1e-4);
   EXPECT_EQ(beside.report.constant, 0);
@@ -504,7 +505,7 @@ TEST(Contour, LinesThatAreTouchedComeOnce)
     {
       EXPECT_NEAR(found[k], places[k], 1e-7);
     }
-    // So that it ends: a straight line needs few, and all open places lie on lines.
+    // The number of points is limited: a straight line needs few, and all open places lie on lines.
     EXPECT_LT(set.vertices.size(), 1000);
   };
   const MeshBuilder builder = Stack(1);
@@ -539,7 +540,7 @@ TEST(Contour, WhatIsTouchedAndNotFollowedIsUndecided)
   EXPECT_EQ(point.report.undecided, 1);
 }
 
-/// Of a torus as of a quadric: its quartic is exact.
+/// A torus has an exact quartic, so its lines are certified as on a quadric.
 TEST(Contour, LinesOnATorusAreCertified)
 {
   const Shape shapes[] = { Shape::Hexahedron, Shape::Prism };
@@ -552,7 +553,7 @@ TEST(Contour, LinesOnATorusAreCertified)
   ASSERT_EQ(set.lines.size(), 2U);
   EXPECT_EQ(set.report.uncertified, 0);
   EXPECT_EQ(set.report.undecided, 0);
-  // At the height 0.15 over its middle: circles of the radii 0.5 -+ 0.2.
+  // At height 0.15 above the middle plane: circles of the radii 0.5 -+ 0.2.
   double length = 0.0;
   for (const ContourLine& line : set.lines)
   {
@@ -562,7 +563,8 @@ TEST(Contour, LinesOnATorusAreCertified)
   EXPECT_NEAR(length, 2.0 * kPi * (0.3 + 0.7), 1e-8);
 }
 
-/// Where z = 0.15 on the faces of a box and on a disc: a rectangle of four lines, and a chord.
+/// Contours of z = 0.15 on the faces of a box and on a disc: a rectangle of four lines, and a
+/// chord.
 TEST(Contour, LinesEndWhereClipsDo)
 {
   const Shape shapes[] = { Shape::Hexahedron, Shape::Prism };
@@ -608,7 +610,7 @@ TEST(Contour, LinesEndWhereClipsDo)
   EXPECT_NEAR(length, 2.0 * std::sqrt(0.25 - 0.01), 1e-9);
 }
 
-/// Without a value in a part of space.
+/// A cut function without a value in a part of space.
 class BrokenCut final : public CutFunction
 {
 public:

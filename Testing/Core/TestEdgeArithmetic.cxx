@@ -16,7 +16,7 @@ constexpr double kMax = 10.0 / 3.0;
 
 using Rows = std::array<std::array<long double, 3>, 3>;
 
-/// By Gauss' elimination with pivots.
+/// Gauss' elimination with pivots.
 Rows InverseOf(Rows m)
 {
   Rows inverse{};

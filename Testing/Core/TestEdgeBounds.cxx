@@ -83,7 +83,7 @@ TEST(EdgeBounds, AlongHoldsDensePoints)
   EXPECT_GT(shortAnswered, 0.9 * shortOnes);
 }
 
-/// From one point, a quarter as far: a sixteenth, up to rounding.
+/// At a quarter of the length, the deviation is a sixteenth, up to rounding.
 TEST(EdgeBounds, DeviationFallsWithTheSquareOfTheLength)
 {
   Random random(72);
@@ -129,7 +129,7 @@ TEST(EdgeBounds, DeviationFallsWithTheSquareOfTheLength)
   EXPECT_LT(overTrue[overTrue.size() / 2], 100.0);
 }
 
-/// Along a curve off the straight edge by a sagitta.
+/// Curves that deviate from the straight edge by a sagitta.
 TEST(EdgeBounds, AlongHoldsCurvesBesideTheEdge)
 {
   Random random(73);
@@ -168,8 +168,8 @@ TEST(EdgeBounds, AlongHoldsCurvesBesideTheEdge)
   EXPECT_GT(answered, 80);
 }
 
-/// Segments within the element, through its faces, and ending on a face from outside; values that
-/// they take there, at ends too.
+/// Segments in the element, through its faces, and from outside to a face, with the values that
+/// they take, also at their ends.
 TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
 {
   Random random(74);
@@ -183,7 +183,7 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
         Vec3 eta(random(), random(), random());
         if (k % 3 == 0)
         {
-          // On a face that is not collapsed.
+          // The face is not collapsed.
           eta[1] = -1.0;
         }
         const Vec3 x = one.PointAt(TensorToReference(shape, eta));
@@ -214,7 +214,7 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
   EXPECT_GT(taken, 5000);
 }
 
-/// Where a rounding error of the map is 1e5 or 1e8 of one in xi.
+/// Elements where a rounding error of the map causes an error of 1e5 or 1e8 roundings in xi.
 TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
 {
   Random random(76);
@@ -253,7 +253,7 @@ TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
   EXPECT_GT(taken, 1000);
 }
 
-/// Short segments whose values miss the asked one by a hundredth of the range.
+/// Short segments whose values differ from the wanted one by a hundredth of the range.
 TEST(EdgeBounds, MayTakeIsTight)
 {
   Random random(75);
@@ -292,7 +292,7 @@ TEST(EdgeBounds, MayTakeIsTight)
   EXPECT_GT(proven, 0.95 * asked);
 }
 
-/// Beside the element no value is taken.
+/// Outside of the element no value is taken.
 TEST(EdgeBounds, NothingIsTakenFarOutside)
 {
   Random random(76);

@@ -13,8 +13,9 @@
 
 namespace pixelexact::testing
 {
-/// Squares about the triangle, as a block of pixels lies about three of its centres, from a
-/// millionth of the element to a third of it; of the affine function, too, where it is asked for.
+/// Squares about the triangle, as a block of pixels surrounds three of its centres, from a
+/// millionth of the element to a third of it. The values of the affine function are included where
+/// requested.
 TEST(EdgePart, HoldsTheValuesOfItsPoints)
 {
   Random random(91);
@@ -39,12 +40,12 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
         {
           continue;
         }
-        // Of one pixel, or of several.
+        // The part of one pixel, or of several.
         const double from = -0.5;
         const double to = k % 2 == 0 ? 0.5 : 1.1;
         const auto at = [&](double s, double t) { return first->x + s * u + t * v; };
         const std::array<Vec3, 4> square{ at(from, from), at(to, from), at(to, to), at(from, to) };
-        // As they come at once, and with all that can be found out.
+        // First the cheap bounds, then with all refinements.
         const ValueSet wanted = k < 2 ? ValueSet{} : ValueSet{ {}, kInfinity, -kInfinity };
         const auto values =
           one.bounds->Over({ *first, *second, *third }, { Outline(square), 1e-14 }, wanted);
@@ -86,7 +87,7 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
 
 namespace
 {
-/// Of a field of one component in one element of a shape.
+/// A field of one component in one element of a shape.
 struct OneElement
 {
   OneElement(Shape shape, int order, const LongScalar& value)
@@ -104,8 +105,8 @@ struct OneElement
 
 } // namespace
 
-/// On a face where a field is a value up to rounding, that is held, and no value is held that is a
-/// little beside it, nor any where it varies a little.
+/// On a face where a field has a value up to rounding, the bounds contain it. They contain no
+/// slightly different value, and none where the field varies slightly.
 TEST(EdgePart, FacesHoldTheValuesThatTheyHave)
 {
   for (const Shape shape : kShapes)
@@ -137,7 +138,7 @@ TEST(EdgePart, FacesHoldTheValuesThatTheyHave)
   }
 }
 
-/// However large the field is beside the face.
+/// The result does not depend on how large the field is elsewhere.
 TEST(EdgePart, SteepFieldsHoldNothing)
 {
   for (const double steepness : { 0x1p20, 0x1p44, 0x1p48 })
@@ -152,7 +153,7 @@ TEST(EdgePart, SteepFieldsHoldNothing)
   }
 }
 
-/// Of zeros nothing but 0 is held, and of no number nothing.
+/// For a field of zeros only 0 is contained, and for NaN nothing.
 TEST(EdgePart, ZerosHoldZero)
 {
   const OneElement zero(Shape::Tetrahedron, 3, [](const LongVec3& /*xi*/) { return 0.0L; });

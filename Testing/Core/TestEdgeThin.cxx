@@ -72,8 +72,8 @@ TEST(EdgeBounds, ThinBentElementsAreKnown)
   }
 }
 
-/// As thin as the first layers on walls are: from side to side, to points beside, and what a
-/// segment may take.
+/// Elements as thin as the first layers on walls: segments from side to side and to points outside,
+/// and the values that they may take.
 TEST(EdgeBounds, LayersAreKnownHoweverThin)
 {
   Random random(82);

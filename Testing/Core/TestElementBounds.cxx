@@ -25,7 +25,7 @@ MeshBuilder NoisyElement(const Space& space, double noise, Random& random)
   return builder;
 }
 
-/// Of each coordinate of Phi its three derivatives.
+/// The three derivatives of each coordinate of Phi.
 std::vector<std::array<double, 9>> JacobiansAt(
   const InverseProblem& problem, const std::vector<Vec3>& xi)
 {

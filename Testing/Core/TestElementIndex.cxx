@@ -58,7 +58,7 @@ TEST(ElementIndex, FindsEveryBoxThatARegionMeets)
     }
     most = std::max(most, found.size());
   }
-  // Not simply all of them.
+  // The index does not return all elements.
   EXPECT_LT(most, 60U);
 }
 
@@ -66,7 +66,7 @@ TEST(ElementIndex, TheLowestNumberOwnsASharedFace)
 {
   const MeshBuilder mesh = Cubes(2);
   const Locator locator(mesh.View());
-  // On the face between elements 0 and 1.
+  // The point is on the face between elements 0 and 1.
   const Vec3 x(1.0, 0.4, 0.6);
   std::int32_t element = -1;
   SampleTarget target;

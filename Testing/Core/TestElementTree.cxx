@@ -62,7 +62,7 @@ public:
   {
   }
 
-  /// Down to a box of `depth` halvings, at random.
+  /// Descends to a random box of `depth` subdivisions.
   void Walk(int depth, Random& random)
   {
     const auto tree = Index.TreeOf(0);
@@ -165,7 +165,8 @@ private:
     EXPECT_TRUE(positive == 0 || positive == kPoints);
   }
 
-  /// Of an injective map, the image of what lies outside of the box is no value over it.
+  /// For an injective map, points outside of the box have images that are not among the values over
+  /// it.
   void CheckHeld(const NodeFrame& frame, Random& random)
   {
     double lanes[3][kGroupPoints];
@@ -178,7 +179,7 @@ private:
         eta[d] =
           std::clamp(random(frame.box.lower[d] - width, frame.box.upper[d] + width), -1.0, 1.0);
       }
-      // By more than rounding; not along what collapses, where eta says little.
+      // The distance exceeds rounding, and is not along a collapsed direction of eta.
       const int d = k % 3;
       const double apart = 1e-9 + random(0.0, 0.1);
       eta[d] =
@@ -229,7 +230,7 @@ TEST(ElementTree, HighOrdersBeginWithFewBoxesAndEndWithPreciseOnes)
   const MeshBuilder mesh = Element(Shape::Hexahedron, 20, 0.2, random);
   Boxes boxes(mesh.View());
   EXPECT_EQ(boxes.Pieces(), 1U);
-  // Three halvings lead to pieces whose rounding is as small as the map's own.
+  // Three subdivisions lead to boxes whose rounding is as small as the map's own.
   boxes.Walk(2, random);
   const double coarse = boxes.LastSlack;
   boxes.Walk(3, random);

@@ -23,7 +23,7 @@ struct EnclosureTally
   int everything = 0;
 };
 
-/// Every interval holds the truth; how many say nothing.
+/// Checks that every interval contains the true value, and counts unbounded intervals.
 EnclosureTally CheckCase(const EnclosureCase& c, int points, double inversionError, Random& random)
 {
   SCOPED_TRACE(Describe(c));
@@ -160,8 +160,8 @@ TEST(Enclosure, TakesTheMapsCurvatureIn)
   }
 }
 
-/// Far from any preimage, or where there are two, nothing may be said that is not so: each interval
-/// is everything or holds the value at the one that Newton finds from the same start.
+/// Far from any preimage, or with two preimages, each interval must be unbounded or contain the
+/// value at the preimage that Newton's iteration finds from the same start.
 TEST(Enclosure, NeverGuesses)
 {
   Random random(6);
@@ -187,7 +187,7 @@ TEST(Enclosure, NeverGuesses)
     const Vec3 xi(root * (1.0 + 1e-15 * random()), 0.0, 0.0);
     const Vec3 x(root * root, 0.0, 0.0);
     const Interval value = Enclose(mesh, field, { &xi, 1 }, { &x, 1 })[0][0];
-    // Of the stored square: root^2 is rounded, and so the root moves.
+    // The stored square is rounded, and so is the root.
     const double slack = 1e-15 * std::fabs(root);
     EXPECT_TRUE(value.lower <= root + slack && value.upper >= root - slack) << root;
     EXPECT_FALSE(value.IsFinite() && value.Contains(0.0));

@@ -85,7 +85,7 @@ long double Det(const Matrix& m)
   const LongVec3 n = Cross(m[1], m[2]);
   return m[0][0] * n[0] + m[0][1] * n[1] + m[0][2] * n[2];
 }
-/// By the roots of the characteristic polynomial (Cardano's, in the trigonometric form).
+/// The roots of the characteristic polynomial (Cardano's formula in trigonometric form).
 LongVec3 EigenvaluesOf(const Matrix& m)
 {
   const long double mean = (m[0][0] + m[1][1] + m[2][2]) / 3;
@@ -408,7 +408,7 @@ TEST_P(Expression, AreEnclosedByIntervals)
   EXPECT_GT(open, 0);
 }
 
-// Constants are not folded where that rounds; places are those that were asked for.
+// Constants are not folded where that rounds.
 TEST_P(Expression, AreEnclosedWhereConstantsAreRounded)
 {
   constexpr long double kLongPi = std::numbers::pi_v<long double>;
@@ -552,7 +552,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Expression, ::testing::ValuesIn(kShapes),
 
 namespace
 {
-/// What is said of a text in a scope of u, v and a field named x.
+/// The error message for a text in a scope of u, v and a field named x.
 std::string MessageOf(const std::string& text)
 {
   std::vector<Field> fields(4);

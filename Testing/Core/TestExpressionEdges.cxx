@@ -18,13 +18,13 @@
 #include <utility>
 #include <vector>
 
-// Expressions of a field of noise on curved elements, in 113 bits: their ranges, and what is known
-// of them along edges and on parts of planes.
+// Expressions of a field of noise on curved elements, in 113 bits: their ranges, and their bounds
+// along edges and on parts of planes.
 namespace pixelexact::testing
 {
 namespace
 {
-/// What an expression is made of at a point.
+/// The values of an expression's leaves at a point.
 struct Leaves
 {
   QuadVec3 x;
@@ -34,7 +34,7 @@ struct Leaves
 
 Quad Root(const Quad& square)
 {
-  // One of Newton's steps from the nearest double.
+  // One Newton step from the nearest double.
   const Quad root(std::sqrt(static_cast<double>(square)));
   return (root + square / root) / Quad(2.0);
 }
@@ -106,7 +106,7 @@ struct ExpressionCase : EdgeCase
     return formula.truth(leaves);
   }
 
-  /// As the tracer has it.
+  /// The point as the tracer locates it.
   [[nodiscard]] std::optional<LocatedPoint> Located(const Vec3& x) const
   {
     auto point = EdgeCase::Located(x);
@@ -172,7 +172,7 @@ TEST(ExpressionEdges, RangesHoldValues)
   EXPECT_GT(bounded, 0.95 * all);
 }
 
-/// Zeros have no size, and what is made of them is known all the same.
+/// Fields of zeros have no scale; expressions of them have bounds all the same.
 TEST(ExpressionEdges, FieldsOfZerosAreKnown)
 {
   Random random(70);

@@ -204,7 +204,7 @@ protected:
     return ToDouble(maps[std::min(which, maps.size() - 1)](ToLong(xi)));
   }
 
-  /// One half next to what is special, to 1e-16, or on it; the others next to a face, inside and in
+  /// Half of the points are within 1e-16 of a special place, the others near a face, inside, and in
   /// the box.
   [[nodiscard]] std::vector<Vec3> Points(int count, std::uint64_t seed) const
   {
@@ -229,7 +229,7 @@ protected:
     return points;
   }
 
-  /// All that Sample tells.
+  /// All results of Sample.
   Answers Ask(const Locator& locator, std::span<const Vec3> x) const
   {
     const std::size_t n = x.size();
@@ -365,7 +365,7 @@ void ExpectOneAnswer(
   ExpectSame(oneByOne(forgetful), wanted, "one by one, trees dropped");
 }
 
-/// body(i) for i < count, from so many threads even where there are fewer processors.
+/// Calls body(i) for i < count on this number of threads, even with fewer processors.
 template <class Body>
 void OnThreads(int threads, std::size_t count, const Body& body)
 {
@@ -449,7 +449,7 @@ TEST(HistoryOfMeshes, ShapesSideBySide)
   std::vector<Vec3> x;
   for (int i = 0; i < 6000; ++i)
   {
-    // A half is on the planes where blocks meet, or beside them.
+    // Half of the points are on or near the planes between blocks.
     LongVec3 u{ random(-1.05, 1.05), random(-1.05, 1.05), random(-1.05, 1.05) };
     if (i % 2 == 0)
     {

@@ -72,11 +72,11 @@ TEST(ClippedSquare, HoldsClosedForms)
   ExpectHolds(right->Integral(1.0), 1.6, 1e-9, "s >= 0.2");
   ExpectHolds(right->Integral(s), 0.96, 1e-9, "s over s >= 0.2");
 
-  // Below the parabola t = s^2 - 1/2, which leaves through the top.
+  // The region below the parabola t = s^2 - 1/2, which leaves through the top.
   const ChebyshevModel parabola = ChebyshevModel::Second() - 2.0 * (s * s) + ChebyshevModel(0.5);
   const auto below = ClippedSquare::Of(std::span(&parabola, 1));
   ASSERT_TRUE(below);
-  // It is at 1 from |s| = sqrt(3) / 2 on.
+  // The parabola is above 1 for |s| > sqrt(3) / 2.
   const double a = std::sqrt(3.0) / 2.0;
   const double area = 2.0 * (2.0 * a * a * a / 3.0 + 0.5 * a) + 4.0 * (1.0 - a);
   ExpectHolds(below->Integral(1.0), area, 1e-9, "parabola");
@@ -88,7 +88,7 @@ TEST(ClippedSquare, HoldsClosedForms)
   // A rim in the square's own side, up to rounding.
   const std::array side{ Linear(-1.0, 0.0, 1.0 + 1e-16) };
   ExpectHolds(ClippedSquare::Of(side)->Integral(1.0), 4.0, 1e-10, "side");
-  // Rims that cross are for halving.
+  // Boxes with crossing rims must be subdivided.
   const std::array corner{ Linear(0.0, 1.0, -1.0), Linear(0.0, 1.0, 1.0) };
   EXPECT_FALSE(ClippedSquare::Of(corner));
 }
@@ -256,7 +256,7 @@ TEST(Integral, Tori)
   EXPECT_TRUE(found.met);
   ExpectHolds(found.sums[0], 4.0 * kPi * kPi * 0.6 * 0.25, 3e-1, "torus");
 
-  // Out of it the flux of the place is three times its volume.
+  // The flux of the position is three times the volume.
   const ExpansionBuilder values = OnMesh(cube.View(), 1, 3,
     [](const LongVec3& x, int, long double* v) { std::copy(x.begin(), x.end(), v); });
   const Field place{ "x", values.View() };

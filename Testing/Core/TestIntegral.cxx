@@ -126,7 +126,7 @@ TEST(Integral, PlanesThroughACube)
   const SurfaceIntegral hexagon = Cut(cube.View(), &field, PlaneForm({ 1, 1, 1 }, 0.0));
   ExpectHolds(hexagon.sums[0], 3.0 * std::sqrt(3.0), 1e-7, "hexagon");
 
-  // Through edges of the element, x = y; the flux of (x^2 - 1) / sqrt(2).
+  // The plane passes through edges of the element, x = y; the flux is that of (x^2 - 1) / sqrt(2).
   const SurfaceIntegral diagonal = Cut(cube.View(), &field, PlaneForm({ 1, -1, 0 }, 0.0));
   ExpectHolds(diagonal.sums[0], 4.0 * root, 1e-7, "diagonal");
   ExpectHolds(diagonal.sums[1], 4.0 * root / 3.0, 1e-7, "diagonal, x^2");
@@ -180,7 +180,7 @@ TEST(Integral, QuadricsInACube)
   cylinder.a.c = -0.49;
   ExpectHolds(
     Cut(mesh, nullptr, cylinder, effort).sums[0], 2.0 * kPi * 0.7 * 2.0, 1e-4, "cylinder");
-  // Of a spheroid, a = b = 0.5, c = 0.8.
+  // The area of a spheroid with a = b = 0.5, c = 0.8.
   const double e = std::sqrt(1.0 - 0.25 / 0.64);
   const double spheroid = 2.0 * kPi * 0.25 * (1.0 + 0.8 / (0.5 * e) * std::asin(e));
   effort.tolerance = 1e-4;
@@ -283,7 +283,7 @@ TEST(Integral, TheBentCubeMeshedInSeveralWays)
 
 TEST(Integral, FacesAndTheDivergenceTheorem)
 {
-  // Out of the bent cube the flux of (x, 0, 0) is the volume, whatever it is cut into.
+  // The flux of (x, 0, 0) out of the bent cube is its volume, for every division into elements.
   Interval common = Interval::Everything();
   IntegralEffort effort;
   for (const Shape shape : kShapes)

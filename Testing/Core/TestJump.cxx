@@ -271,7 +271,7 @@ TEST(Jump, IsNothingInsideAndOffFaces)
   {
     EXPECT_EQ(std::isnan(values[i]), i % 3 != 0) << i;
     EXPECT_EQ(chosen[i] == 7.0, i % 3 == 0) << i;
-    // A point's value depends on that point alone.
+    // A point's value depends only on that point.
     const auto alone = one.Evaluate("jump(u)", 0, std::span(&xi[i], 1));
     EXPECT_TRUE(values[i] == alone[0] || i % 3 != 0);
   }

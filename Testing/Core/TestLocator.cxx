@@ -112,7 +112,7 @@ TEST_P(LocatorShapes, ReportsOutsideForImagesOfOutsidePoints)
     for (int i = 0; i < 60; ++i)
     {
       Vec3 eta(random(), random(), random());
-      // No shape but the hexahedron has a face at eta3 = 1.
+      // Only the hexahedron has a face at eta3 = 1.
       const int direction = i % 3;
       const bool upper = i % 2 == 0 && (direction < 2 || GetParam() == Shape::Hexahedron);
       eta[direction] = upper ? 1.0 + distance : -1.0 - distance;
@@ -165,7 +165,7 @@ TEST_P(LocatorShapes, SizesAndOffsetsOverManyDecades)
     Sample(locator, nullptr, x, samples.Target());
     EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Inside), 500) << size;
   }
-  // 1e8 sizes away from the origin: x itself knows xi to 1e-8 only, and must still be found.
+  // At 1e8 sizes from the origin, x determines xi only to 1e-8, and must still be found.
   MeshBuilder mesh;
   const Vec3 far(1e8, -1e8, 1e8);
   const auto map = [&](const LongVec3& xi)
@@ -243,7 +243,7 @@ TEST_P(LocatorShapes, BoxesThatHoldAPointOfTheElementAreNear)
   }
 }
 
-/// More chunks than are looked at together, in no order.
+/// More chunks than are processed together, in random order.
 TEST(Locator, OneBatchOfManyPointsFindsWhatSmallOnesDo)
 {
   const MeshBuilder mesh = TwoHexahedra();
@@ -385,8 +385,8 @@ TEST(Locator, SampleHonoursThePrecision)
 
 TEST(Locator, NodesKnownToAPartOfTheElementLeaveNothingUnknown)
 {
-  // As nodes in single precision far from the origin: the faces' tolerance is more than a hundredth
-  // of a straight element.
+  // Nodes as in single precision far from the origin: the faces' tolerance exceeds a hundredth of a
+  // straight element.
   for (const Shape shape : kShapes)
   {
     for (const double uncertainty : { 0.012, 0.03, 0.06 })
@@ -516,7 +516,7 @@ TEST(Locator, StronglyBentElementLosesNoPoint)
   const std::size_t inside = x.size();
   for (int i = 0; i < 300; ++i)
   {
-    // In the ring's hole.
+    // Points in the ring's hole.
     x.emplace_back(random(-0.5, 0.5), random(-0.5, 0.5), random(-0.9, 0.9));
   }
   Samples samples(x.size());

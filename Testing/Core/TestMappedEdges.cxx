@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-// H(curl), H(div) and density fields of noise on curved elements, in 113 bits: what is known of
-// them along edges, and their quotients.
+// H(curl), H(div) and density fields of noise on curved elements, in 113 bits: their bounds along
+// edges, and bounds of their quotients.
 namespace pixelexact::testing
 {
 namespace
@@ -55,12 +55,12 @@ struct MappedCase : EdgeCase
     {
       square = square + c * c;
     }
-    // One of Newton's steps from the nearest double.
+    // One Newton step from the nearest double.
     const Quad root(std::sqrt(static_cast<double>(square)));
     return (root + square / root) / Quad(2.0);
   }
 
-  /// As the tracer has it.
+  /// The point as the tracer locates it.
   [[nodiscard]] std::optional<LocatedPoint> Located(const Vec3& x) const
   {
     std::int32_t element = -1;
@@ -162,7 +162,7 @@ TEST(MappedEdges, AlongHoldsDensePoints)
   EXPECT_GT(answered, 0.9 * asked);
 }
 
-/// As sums in single precision make them.
+/// Errors of sums in single precision.
 TEST(MappedEdges, ErrorsHoldValuesInFloats)
 {
   Random random(95);
@@ -274,7 +274,7 @@ TEST(MappedEdges, QuotientsAreTheField)
           const Quad off = valueOf(quotient->numerators, c, xi) / divisor - truth[c];
           EXPECT_LE(
             static_cast<double>(Abs(off)), 1e-11 * (1.0 + static_cast<double>(Abs(truth[c]))));
-          // What slack tells of the numerator, and of the divisor.
+          // The bound from the slacks of numerator and divisor.
           const Quad slack =
             (Quad(quotient->numeratorSlack) + Abs(truth[c]) * Quad(quotient->divisorSlack)) /
             Abs(divisor);

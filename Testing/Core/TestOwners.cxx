@@ -123,7 +123,7 @@ TEST(Owners, BothPreimagesAroundABranchLine)
   }
 }
 
-/// Points that no element holds are proven to have no preimage, also behind a fold.
+/// Points outside of all elements are proven to have no preimage, also near a fold.
 TEST(Owners, NoneOutsideOfAFoldedElement)
 {
   MeshBuilder mesh;

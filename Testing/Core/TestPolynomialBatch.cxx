@@ -12,7 +12,8 @@
 #include <random>
 #include <vector>
 
-// Hulls of polynomials side by side against values in long double, and against those of each alone.
+// Hulls of several polynomials, compared with values in long double and with the hull of each
+// alone.
 namespace pixelexact::testing
 {
 namespace
@@ -29,7 +30,7 @@ long double Bernstein(int n, int i, long double t)
   return value * std::pow(1.0L - t, static_cast<long double>(n - i));
 }
 
-/// At t in [-1, 1]^3.
+/// The value at t in [-1, 1]^3.
 long double ValueAt(const BoxPolynomial& polynomial, const LongPoint& t)
 {
   long double sum = 0.0L;
@@ -53,7 +54,7 @@ long double ValueAt(const BoxPolynomial& polynomial, const LongPoint& t)
 class Polynomials
 {
 public:
-  /// Of this degree, and of lower ones.
+  /// Random polynomials of this degree, and of lower ones.
   std::vector<BoxPolynomial> Make(const Degrees& degree, std::size_t count)
   {
     std::vector<BoxPolynomial> list;
@@ -129,8 +130,7 @@ TEST(PolynomialBatch, HullsHoldAllValues)
     });
 }
 
-/// Over a small part of where they are made polynomials are of lower degree, but for little: what
-/// that leaves out is in the hulls.
+/// Over a small box polynomials have almost a lower degree. The hulls include the dropped part.
 TEST(PolynomialBatch, LoweredOnesHoldAllValues)
 {
   OnEveryInstructionSet(
@@ -222,7 +222,7 @@ long double AffineAt(const AffineBound& bound, const Vec3& x)
 }
 } // namespace
 
-/// Of any polynomials, and of those that are affine in the coordinates next to nothing is left.
+/// The affine bounds contain all values; for affine polynomials the remainder is nearly zero.
 TEST(PolynomialBatch, AffineBoundsHoldAllValues)
 {
   OnEveryInstructionSet(

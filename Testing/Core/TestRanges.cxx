@@ -59,7 +59,7 @@ void CheckOnGrid(const RangeCase& one, const RangeQuestion& question, const Cert
   EXPECT_LE(range.outer.lower, range.outer.upper);
   if (range.met)
   {
-    // What is attained lies within the outer ends; the outer ends are near the grid's extremes.
+    // Attained values lie within the outer ends, and these are near the grid's extremes.
     EXPECT_GE(range.attained.lower, range.outer.lower);
     EXPECT_LE(range.attained.upper, range.outer.upper);
   }
@@ -145,8 +145,8 @@ TEST(Ranges, OrdersSixteenAndThirtyTwo)
 
 TEST(Ranges, TightenQuadratically)
 {
-  // Boxes that shrink about a point inside: what the enclosure has over the range of the values
-  // falls by four, and more, where the box is halved.
+  // Boxes that shrink about an interior point: at each bisection the excess of the enclosure over
+  // the range of values decreases at least by a factor of four.
   Random random(45);
   for (const Shape shape : kShapes)
   {
@@ -176,7 +176,7 @@ TEST(Ranges, TightenQuadratically)
 
 TEST(Ranges, ClosedForms)
 {
-  // On [-1,1]^3: f = x^2 + y^2 - z, its gradient (2x, 2y, -1).
+  // On [-1,1]^3: f = x^2 + y^2 - z with the gradient (2x, 2y, -1).
   const Space space = UniformSpace(Shape::Hexahedron, 2);
   RangeCase one(
     UniformSpace(Shape::Hexahedron, 1),
@@ -285,7 +285,7 @@ TEST(Ranges, ZeroAndConstantsAreExact)
 
 TEST(Ranges, MappedFieldsOfStraightElementsHoldDenseSamples)
 {
-  // The map is taken out of the question here.
+  // The map is affine, so that only the field matters.
   Random random(77);
   for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron })
   {
@@ -336,7 +336,7 @@ TEST(Ranges, NotFiniteIsSaid)
     EXPECT_EQ(mesh.notFinite, 1);
     EXPECT_TRUE(mesh.range.outer.IsEmpty());
   }
-  // Of a component the others do not count.
+  // The range of a component does not depend on the others.
   std::vector<double> two(2 * static_cast<std::size_t>(space.Modes()), 0.5);
   two.back() = std::numeric_limits<double>::quiet_NaN();
   one.SetField(space, two, 2);

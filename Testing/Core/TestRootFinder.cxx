@@ -111,7 +111,7 @@ TEST(RootFinder, SeparateRootsOfOnePolynomial)
       std::vector<QuadPoint> inside;
       for (int i = 0; i < degree; ++i)
       {
-        // One in each of as many parts of [-0.2, 1.2].
+        // One root in each of `degree` equal parts of [-0.2, 1.2].
         const double part = 1.4 / degree;
         all.emplace_back(-0.2 + part * (i + random(0.2, 0.8)));
         if (InUnitInterval(all.back()))
@@ -179,7 +179,7 @@ TEST(RootFinder, NearMissesAreNotInvented)
     const auto result = FindRoots(system.Rounded());
     EXPECT_TRUE(result.roots.empty());
     proven += result.IsComplete() ? 1 : 0;
-    // Coefficients of size 1, whose rounding is 1e-16, tell a gap of 1e-7 from none.
+    // Coefficients of size 1, with rounding 1e-16, distinguish a gap of 1e-7 from a double root.
     if (gap > Float128(1e-7))
     {
       EXPECT_TRUE(result.IsComplete()) << static_cast<double>(gap);
@@ -302,7 +302,7 @@ TEST(RootFinder, RandomSystemsAgainstBruteForce)
       {
         polynomial.power.emplace_back(random());
       }
-      // Through a point of the cube, so that there is something to find.
+      // Makes the polynomial zero at a point of the cube, so that there is a root.
       const QuadPoint through{ Float128(0.4), Float128(0.6), Float128(n == 3 ? 0.3 : 0.0) };
       polynomial.power[0] -= polynomial.Value(through);
       f.push_back(polynomial);
@@ -334,7 +334,8 @@ TEST(RootFinder, RandomSystemsAgainstBruteForce)
         roots.push_back(*root);
       }
     }
-    // What the engine found and the starts did not: Newton from there must agree.
+    // Roots that the engine found and the starts did not are confirmed by Newton's iteration from
+    // there.
     for (const IsolatedRoot& isolated : result.roots)
     {
       const QuadPoint middle{ isolated.enclosure[0].Middle(), isolated.enclosure[1].Middle(),

@@ -295,8 +295,8 @@ TEST(SegmentInterval, SaysNothingWhereNothingIsProven)
   EXPECT_FALSE(IntervalsOf(broken.MeshView(), broken.FieldView(), 0, one).front().IsFinite());
 }
 
-/// The paper's example: 3 x^2 + 2 x - 4 on [-1,1] has values in [-4.33, 1]; in halves of halves
-/// the intervals are narrower, and never too narrow.
+/// The paper's example: 3 x^2 + 2 x - 4 on [-1,1] has values in [-4.33, 1]. Subdivided intervals
+/// are narrower and still contain the values.
 TEST(SegmentInterval, PapersExample)
 {
   MeshBuilder mesh;

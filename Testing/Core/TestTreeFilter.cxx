@@ -15,7 +15,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// Bends so much that a frame tells little of it.
+/// A map so curved that a local frame bounds it poorly.
 LongVec3 Turned(const LongVec3& u)
 {
   const auto [a, b, c] = u;
@@ -37,7 +37,7 @@ TEST_P(FilterOf, InnerChunksAloneAreNotTested)
   const ElementBounds& bounds = index.BoundsOf(0);
   ASSERT_TRUE(TreeFilter::IsWorthIt(bounds));
 
-  // Blocks of 8 x 8 points of planes, as frames ask for them, in and by the element.
+  // Blocks of 8 x 8 points of planes, as in frames, in and near the element.
   constexpr int kChunks = 64;
   Random random(5);
   std::vector<double> lanes(3 * kChunks * kChunkPoints);
@@ -89,7 +89,7 @@ TEST_P(FilterOf, InnerChunksAloneAreNotTested)
     EXPECT_EQ(quickly[k], untested ? chunks[k].open : kept[k]) << k;
     wrong += untested && kept[k] != chunks[k].open ? 1 : 0;
   }
-  // It is a guess, but a good one.
+  // The filter is a heuristic; it must be right nearly always.
   EXPECT_LE(wrong, 1);
 }
 

@@ -108,7 +108,7 @@ TEST(Truncation, KeptAndDroppedAddUpAndTheBoundHolds)
         }
         else
         {
-          // No far bound: somewhere values come near it.
+          // The bound is tight: somewhere values come near it.
           EXPECT_LT(bound, 30.0 * largest);
         }
       }

@@ -73,7 +73,7 @@ TEST(Validity, MovedMiddleOfATetrahedron)
     const auto found = Verdict(space, [d](const LongVec3& xi) { return MovedMiddle(xi, d); });
     EXPECT_EQ(found.validity, Validity::Inverted) << d;
   }
-  // det J vanishes at a vertex, exactly: no rounded number can tell.
+  // det J vanishes at a vertex exactly, which rounded numbers cannot decide.
   const auto touching = Verdict(space, [](const LongVec3& xi) { return MovedMiddle(xi, 0.5L); });
   EXPECT_NE(touching.validity, Validity::Valid);
 }
@@ -181,7 +181,7 @@ TEST(Validity, ABoundJustBelowZeroIsSubdivided)
 
 TEST(Validity, OpenPyramidsAreNotDecided)
 {
-  // At the apex x depends on eta1: nobody can say what det J is there.
+  // At the apex x depends on eta1, so det J is undefined there.
   RangeCase one(
     { Shape::Pyramid, Form::Tensor, { 1, 1, 1 } }, [](const LongVec3& xi) { return xi; });
   one.Close();

@@ -59,7 +59,7 @@ TEST_F(AdversarialFiles, APointIsNotPutWhereThePinchedMapDoesNotTakeIt)
     EXPECT_LT(std::fabs(xi.x + 9.75391066354776e-7), 1e-4);
     EXPECT_NEAR(xi.y, 0.0979695941017861, 1e-9);
     EXPECT_NEAR(xi.z, -0.106741792062286, 1e-9);
-    // What `inside` promises: four uncertainties, and one for the rounding of what is stored.
+    // The tolerance of `inside`: four uncertainties, and one for the rounding of stored values.
     const Mesh& mesh = Model->GetMesh();
     const LongVec3 image = LongMap(mesh)(0, ToLong(xi));
     const ElementBounds bounds = MakeElementBounds(mesh, 0);

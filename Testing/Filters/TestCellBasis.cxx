@@ -131,7 +131,8 @@ TEST_P(CellBasis, MapsAsVtkDoes)
     }
     if (kind.isPlane)
     {
-      // Between a 64th of 2 and nothing: the box is smaller than that of all points there may be.
+      // The thickness is between a 64th of 2 and zero, because the box is smaller than that of all
+      // possible points.
       EXPECT_LE(std::fabs(x[2] - kHeight), 1.0 / 32);
     }
     EXPECT_NEAR(found->GetValue(0), expected[3], tolerance);

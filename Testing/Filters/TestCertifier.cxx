@@ -80,7 +80,7 @@ TEST(Certifier, PlainGridsAreConverted)
   for (vtkIdType cell = 0; cell < 8; ++cell)
   {
     EXPECT_EQ(CellValue(output, "Verdict", cell), 0.0);
-    // From [-1,1]^3 to cubes of side 1/2: 1/64.
+    // The map from [-1,1]^3 to cubes of side 1/2 has the determinant 1/64.
     EXPECT_LE(CellValue(output, "JacobianLower", cell), 1.0 / 64);
     EXPECT_GE(CellValue(output, "JacobianUpper", cell), 1.0 / 64);
     EXPECT_NEAR(CellValue(output, "JacobianLower", cell), 1.0 / 64, 1e-13);
@@ -132,7 +132,7 @@ TEST(Certifier, KeepsCoefficientsAndTheirType)
 {
   const auto output = Certified(Converted(Boxes(2)), "f");
   EXPECT_NE(vtkHighOrderGrid::SafeDownCast(output), nullptr);
-  // It is a high-order grid still.
+  // The output is still a high-order grid.
   EXPECT_EQ(HighOrderModel::From(output)->GetMesh().Elements(), 8);
 }
 

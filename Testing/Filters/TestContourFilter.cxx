@@ -73,7 +73,7 @@ double LengthOf(vtkPolyData* lines)
   return length;
 }
 
-/// Of a point to the chords of the lines.
+/// The distance of a point from the chords of the lines.
 double Distance(const double* x, vtkPolyData* lines)
 {
   double nearest = std::numeric_limits<double>::infinity();
@@ -144,7 +144,7 @@ TEST(RoundValues, AreSoManyStrictlyInsideEquallySpacedAndRound)
     ASSERT_LT(values.back(), upper);
     const double length = upper - lower;
     const double step = count > 1 ? values[1] - values[0] : length;
-    // No further one has room.
+    // There is no room for a further value.
     EXPECT_LE(values.front() - lower, 1.06 * step);
     EXPECT_LE(upper - values.back(), 1.06 * step);
     // Multiples of a hundredth of the power of ten below the range's part for one.
@@ -192,7 +192,8 @@ TEST(ContourFilter, StraightLinesHaveTheirLengths)
   EXPECT_EQ(contours.messages->errors + contours.messages->warnings, "");
   ASSERT_EQ(lines->GetNumberOfCells(), 3);
   EXPECT_EQ(contours.filter->GetNumberOfUncertifiedLines(), 0);
-  // From (0.3, 0) to (0, 0.15); from (0.9, 0) to (0, 0.45); from (1, 0.25) to (0, 0.75).
+  // The lines go from (0.3, 0) to (0, 0.15), from (0.9, 0) to (0, 0.45), and from (1, 0.25) to (0,
+  // 0.75).
   const double expected = std::hypot(0.3, 0.15) + std::hypot(0.9, 0.45) + std::hypot(1.0, 0.5);
   EXPECT_NEAR(LengthOf(lines), expected, 1e-14);
   auto* certified = lines->GetCellData()->GetArray("Certified");

@@ -26,7 +26,7 @@ std::string DiagnosticsOf(const std::filesystem::path& file)
   {
     all += conversion.filter->GetDiagnostic(i) + "\n";
   }
-  // All of it was also said aloud.
+  // All diagnostics were also issued as warnings.
   EXPECT_EQ(all.empty(), conversion.messages->warnings.empty());
   return all;
 }

@@ -24,7 +24,8 @@ struct BoundaryCase
 
 const std::filesystem::path kShared = PIXELEXACT_SHARED_DATA_DIR;
 
-/// Of the project's own data, else of what is beside it; empty where there is neither.
+/// The path of a file in the project's own data, else in the shared folder; empty where there is
+/// neither.
 std::filesystem::path Find(const std::string& name)
 {
   for (const auto& folder : { kData, kShared })
@@ -101,8 +102,8 @@ TEST_P(FacesOfFiles, AreThoseThatTheFileLists)
   EXPECT_EQ(listed, boundary);
 }
 
-/// Faces that the mesh identifies have both ends' attributes: the file does not tell which is
-/// whose.
+/// Faces that the mesh identifies have the attributes of both sides, because the file does not
+/// distinguish them.
 TEST(FacesOfPeriodicMeshes, HaveTheAttributesOfBothEnds)
 {
   const auto file = kShared / "mfem_periodic_hex_dg_g3_p4" / "mfem_periodic_hex_dg_g3_p4.mesh";

@@ -160,7 +160,7 @@ TEST_F(GridParts, OfAPartThatIsListedTwiceTheLaterOneCounts)
     DataSet(part, "first.vtu") + DataSet(part, "other.vtu") + DataSet(part, "later.vtu"))
                         .c_str());
   ExpectValues(1.0, 1.0);
-  // The other file of the same number stands beside it, and stays.
+  // The other file with the same label is a separate part of the mesh, and stays.
   EXPECT_EQ(Converter->GetHighOrderOutput()->GetNumberOfCells(), 17);
   EXPECT_NE(Heard->warnings.find("lists the same part twice"), std::string::npos)
     << Heard->warnings;
@@ -243,7 +243,7 @@ TEST_F(GridParts, PiecesOfOneFileAreReadAsTheyAre)
   ExpectValues(0.0, 1.0);
   EXPECT_EQ(Converter->GetHighOrderOutput()->GetNumberOfCells(), 3);
 
-  // What VTK's reader makes of it is found by the nodes.
+  // The diagnostics detect the order of nodes that VTK's reader leaves.
   Conversion byVtk(ReadGrid(file));
   EXPECT_NE(byVtk.messages->warnings.find("mid nodes fit other edges"), std::string::npos)
     << byVtk.messages->warnings;
@@ -388,7 +388,7 @@ TEST_F(GridParts, ArraysThatSomePartsLackAreNoted)
 
 TEST_F(GridParts, DegreesOfPartsAreKept)
 {
-  // 3 x 2 x 2 nodes: only the degrees tell along which direction there are three.
+  // There are 3 x 2 x 2 nodes. Only the degrees show the direction with three.
   const auto slab = [](double lower)
   {
     std::vector<double> xyz;

@@ -169,7 +169,7 @@ TEST(IntegrateFilter, VtksFiltersConvergeToIt)
     const double error = std::fabs(sums->GetCellData()->GetArray("Area")->GetTuple1(0) - exact);
     if (level > 1)
     {
-      // Of second order.
+      // The convergence is of second order.
       EXPECT_LT(error, 0.35 * before) << "level " << level;
     }
     before = error;

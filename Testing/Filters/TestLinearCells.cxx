@@ -115,7 +115,7 @@ Vec3 CentreOf(vtkCell* face)
   return Mean(places);
 }
 
-/// As ParaView's Integrate Variables.
+/// Computes the volume as ParaView's Integrate Variables does.
 double IntegrateVolume(vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkIntegrateAttributes> integrate;

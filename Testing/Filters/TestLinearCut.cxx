@@ -234,8 +234,8 @@ TEST(LinearCut, EndsWhereTheMeshDoes)
 
 TEST(LinearCut, LinearInterpolationConvergesAtSecondOrder)
 {
-  // On the mean: the field has kinks between elements, across which single triangles are off by
-  // more.
+  // The mean error decreases. The field has kinks between elements, across which single triangles
+  // have larger errors.
   const auto grid = ReadGrid(kToroid);
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.0, 0.0, 0.1);

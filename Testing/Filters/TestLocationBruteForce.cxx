@@ -52,7 +52,7 @@ struct Tangent
   }
 };
 
-/// What brute force knows of an element before it looks for points.
+/// Data of an element that brute force computes before it searches for points.
 class SearchedElement
 {
 public:
@@ -148,7 +148,7 @@ private:
 
 using SearchedElements = std::vector<std::unique_ptr<const SearchedElement>>;
 
-/// Where an element's preimages of points are.
+/// Finds the preimages of points in an element.
 class BruteForceSearch
 {
 public:
@@ -159,7 +159,7 @@ public:
   {
   }
 
-  /// Of all preimages, the side of the one that is farthest inside.
+  /// The side of the preimage that is farthest inside.
   [[nodiscard]] Side Find(int element, const Vec3& point)
   {
     const LongVec3 x = ToLong(point);
@@ -172,13 +172,14 @@ public:
     for (const Tangent& start : searched.starts)
     {
       const LongVec3 xi = Plus(start.xi, start.Step(x));
-      // Of those that are farther away others lead to the shape; a NaN is nowhere.
+      // Skips starts that are further away, because others lead to the shape, and NaN.
       if (Largest(xi) < kFar)
       {
         first.push_back(xi);
       }
     }
-    // From the nearest to the shape's centre, which finds most preimages in the shape at once.
+    // Starts nearest to the shape's centre come first, because they find most preimages in the
+    // shape.
     std::ranges::sort(first, {}, [](const LongVec3& xi) { return Largest(xi); });
     Side best = Side::Beyond;
     std::vector<LongVec3> visited;
@@ -196,7 +197,7 @@ public:
         path.push_back(xi);
         const LongVec3 delta = Tangent(Map, element, xi).Step(x);
         xi = Plus(xi, delta);
-        // What is left of the error is its square, and 1e-8 of it by the differences.
+        // The remaining error is quadratic in the correction, plus 1e-8 of it from the differences.
         if (Largest(delta) < 1e-9L)
         {
           best = std::min(best, Oracle.SideOf(element, xi));
@@ -223,7 +224,7 @@ private:
   FaceOracle Oracle;
 };
 
-/// What is true of a point.
+/// The true location of a point.
 struct Truth
 {
   int holder = -1;     ///< the lowest-numbered element with a preimage in the shape

@@ -69,7 +69,7 @@ TEST_F(LocatorReuse, AMovedPointIsRefused)
   copy->SetPoints(points);
   EXPECT_THROW(HighOrderModel::From(copy), StaleData);
   EXPECT_EQ(LocatorOf(Grid), First);
-  // In place, and nobody told but the grid.
+  // The points change in place, and only the grid is marked as modified.
   Grid->GetPoints()->GetData()->SetComponent(13, 0, 0.1);
   Grid->Modified();
   EXPECT_THROW(HighOrderModel::From(Grid), StaleData);
@@ -97,7 +97,7 @@ TEST_F(LocatorReuse, SubsetsHaveTheirOwn)
   part->Update();
   EXPECT_EQ(LocatorOf(part->GetOutput()), nullptr);
   EXPECT_EQ(HighOrderModel::From(part->GetOutput())->GetMesh().Elements(), 10);
-  // Also without ids, which a look at the mesh arrays alone cannot tell.
+  // Also without ids, which the mesh arrays alone do not show.
   Grid->GetCellData()->RemoveArray("PixelExactElementId");
   const auto whole = HighOrderModel::From(Grid);
   part->Update();

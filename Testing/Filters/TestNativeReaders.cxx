@@ -105,7 +105,7 @@ void ExpectSame(const Expansion& a, const Expansion& b, const std::string& what)
   EXPECT_EQ(a.components, b.components) << what;
 }
 
-/// Through a compressed .vtu and back: every bit of mesh and fields.
+/// Writes a compressed .vtu and reads it: every bit of mesh and fields is the same.
 void ExpectRoundTrip(vtkHighOrderFileReader* reader)
 {
   vtkNew<Messages> messages;
@@ -222,7 +222,7 @@ TEST(NativeReaders, CellsSelectedByVtkKeepTheirCoefficients)
   EXPECT_GT(points, 10);
 }
 
-/// The reader says `expected` and gives nothing.
+/// Checks that the reader reports `expected` and returns nothing.
 void ExpectRefusal(vtkHighOrderFileReader* reader, const std::string& expected)
 {
   vtkNew<Messages> messages;
@@ -402,7 +402,8 @@ TEST(NativeReaders, TimesOfNektar3AreSteps)
   reader->AddFieldFileName(scratch.Write("a.chk", withTime("0.5")).c_str());
   ExpectTimes(reader, 0.5, 2.5);
 
-  // No number to its end is no time: the files are counted, and reading tells what is wrong.
+  // A text that is not completely a number is not a time. Files are then numbered, and reading
+  // reports the error.
   scratch.Write("b.chk", withTime("2.5 s"));
   reader->Modified();
   ExpectTimes(reader, 0.0, 1.0);

@@ -44,7 +44,7 @@ double CubicValue(const Vec3& x)
   return 1.0 + x.x - 2.0 * x.y * x.z + x.x * x.y * x.y;
 }
 
-/// Nodes of a cell with straight edges, in VTK's order: `place` tells (r, s, t) by VTK's index.
+/// Nodes of a cell with straight edges, in VTK's order: `place` returns (r, s, t) for VTK's index.
 struct Cell
 {
   int type;
@@ -139,7 +139,8 @@ Cell Tetrahedron()
         const bool onEdge = (i == 0) + (j == 0) + (k == 0) + (l == 0) >= 2;
         const auto at = [&](vtkIdType m)
         {
-          // Of a face's centroid three are 1, and a third each; else on an edge or a vertex.
+          // At a face's centroid three coordinates are 1, a third each; otherwise the node is on an
+          // edge or at a vertex.
           return onEdge ? g[static_cast<std::size_t>(m)] : static_cast<double>(m) / 3;
         };
         cell.nodes.at(vtkHigherOrderTetra::Index(index, 3)) = { at(i), at(j), at(k) };
@@ -255,7 +256,7 @@ Vec3 MapLinearly(const Vec3& x)
 {
   return { 2 * x.x + x.y, x.y, x.z - x.x / 2 };
 }
-/// Of order 2: no edge is straight.
+/// A map of order 2 that leaves no edge straight.
 Vec3 Quadratic(const Vec3& x)
 {
   return { x.x + 0.15 * x.y * x.y + 0.1 * x.z * x.z, x.y + 0.2 * x.x * x.x - 0.1 * x.z * x.z,
@@ -292,7 +293,7 @@ TEST(NodeConventions, PlacesOfNodesAreFoundOnCurvedEdges)
       Conversion chebyshev(Bent(n, &Chebyshev, map));
       EXPECT_NE(chebyshev.messages->warnings.find("Chebyshev"), std::string::npos) << n;
     }
-    // Of high order the map looks smooth with the nodes at wrong places, too.
+    // At high order the map also appears smooth with nodes at wrong places.
     for (const int n : { 8, 12 })
     {
       Conversion sound(Bent(n, &Equispaced, map));
@@ -319,8 +320,8 @@ TEST(NodeConventions, NodesInsideTrianglesAreRefusedWhereTheyAreAChoice)
   }
 }
 
-/// A wedge of triangle order 4 and line order 3 with straight edges, the nodes inside its
-/// quadrilateral r = 0 mirrored where asked for.
+/// A wedge of triangle order 4 and line order 3 with straight edges. With `mirrored` the nodes
+/// inside its quadrilateral r = 0 are mirrored.
 Cell EquispacedWedge(bool mirrored)
 {
   Cell cell{ VTK_LAGRANGE_WEDGE, { 4, 4, 3 }, std::vector<Vec3>(60) };

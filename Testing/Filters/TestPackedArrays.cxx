@@ -84,7 +84,7 @@ std::string Problem(vtkUnstructuredGrid* grid)
   return vtkHighOrderGrid::CheckCoefficients(grid);
 }
 
-/// Two halves, put together the wrong way round.
+/// Splits a grid into two parts and appends them in reverse order.
 Grid Subdivided(vtkUnstructuredGrid* grid)
 {
   const vtkIdType half = grid->GetNumberOfCells() / 2;
@@ -134,7 +134,7 @@ TEST(PackedArrays, AppendedPartsAreTheWhole)
     const Grid appended = Subdivided(Packed(grid));
     EXPECT_EQ(Problem(appended), "");
     EXPECT_EQ(FactsOf(appended), FactsOf(grid));
-    // Without packing the coefficients stay behind.
+    // Without packing the coefficients are lost.
     EXPECT_NE(
       vtkHighOrderGrid::IsHighOrder(Subdivided(grid)) ? Problem(Subdivided(grid)) : "lost", "-");
   }
@@ -222,7 +222,7 @@ TEST(PackedArrays, ChangedValuesAreStale)
 
 TEST(PackedArrays, PointsThatBecameOneAreTheSame)
 {
-  // As where VTK merges points that coincide up to rounding, with the values of one of them.
+  // VTK merges points that coincide up to rounding, with the values of one of them.
   const Grid packed = Packed(Converted(ReadGrid(PIXELEXACT_DATA_DIR "/toroid_hex_g3_p6.vtu")));
   const Facts before = FactsOf(packed);
   const auto shift = [&](double place, double value)

@@ -18,7 +18,7 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-/// What all pieces of a pipeline's end hold; each element is in one of them.
+/// The facts of all pieces at the end of a pipeline; each element is in one of them.
 Facts FactsOfPieces(vtkAlgorithm& end, int pieces)
 {
   Facts all;
@@ -97,7 +97,7 @@ TEST_F(PieceFiles, FilesOfASolversCoefficientsAreOneGrid)
   std::vector<std::string> names;
   for (const int part : { 0, 1 })
   {
-    // Of different widths: the second one's field is of a higher order.
+    // The arrays have different widths: the second grid's field has a higher order.
     const auto grid = Converted(Slabs(2 * part, 2, 1.0));
     const std::vector<Space> own(2, UniformSpace(Shape::Hexahedron, 1 + part));
     OwnedExpansion p;
@@ -120,7 +120,7 @@ TEST_F(PieceFiles, FilesOfASolversCoefficientsAreOneGrid)
   EXPECT_EQ(p->values.SpaceOf(3).MaxOrder(), 2);
   EXPECT_EQ(p->values.Coefficients(0)[0], 0.25);
   EXPECT_EQ(p->values.Coefficients(3)[0], 1.25);
-  // One by one, as two processes would read them.
+  // Reads the pieces one by one, as two processes would.
   for (const int piece : { 0, 1 })
   {
     Reader->UpdatePiece(piece, 2, 0);

@@ -37,7 +37,7 @@ double Get(vtkPolyData* data, const char* name, vtkIdType i)
   return data->GetPointData()->GetArray(name)->GetComponent(i, 0);
 }
 
-/// Where neighbouring points have other elements.
+/// The points whose element differs from that of the point before.
 std::vector<vtkIdType> Changes(vtkPolyData* data)
 {
   std::vector<vtkIdType> changes;

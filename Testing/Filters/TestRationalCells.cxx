@@ -41,7 +41,7 @@ void AddQuarter(vtkUnstructuredGrid* grid, vtkDoubleArray* weights, vtkDoubleArr
       {
         const int place = isSolid ? vtkHigherOrderHexahedron::PointIndexFromIJK(i, j, k, order)
                                   : vtkHigherOrderQuadrilateral::PointIndexFromIJK(i, j, order);
-        // The middle control point is where the ends' tangents meet.
+        // The middle control point is the intersection of the ends' tangents.
         const double angle = start + i * std::acos(-1.0) / 4;
         const double radius = (1.0 + j) * (i == 1 ? std::sqrt(2.0) : 1.0);
         const vtkIdType id =
@@ -136,8 +136,8 @@ TEST(RationalCells, AreRoundAndAsVtkHasThem)
   }
 }
 
-/// One Bezier cell of order 2 whose control points are off their even places, with random weights
-/// and values; or a quarter of a disc (prism: of a cylinder; tetrahedron: of a cone) of radius 1.
+/// One Bezier cell of order 2 with perturbed control points, random weights and values; or a
+/// quarter of a disc (prism: of a cylinder; tetrahedron: of a cone) of radius 1.
 vtkSmartPointer<vtkUnstructuredGrid> MakeRationalCell(int type, bool isRound)
 {
   const bool isPlane = type == VTK_BEZIER_TRIANGLE;

@@ -304,7 +304,7 @@ TEST_F(Staleness, ModelOutlivesTheGrid)
   EXPECT_FALSE(model->GetLocator().Bounds().Contains(Vec3(2.0)));
 }
 
-/// What a solver's reader gives: coefficients of order 3 and more beside linear cells.
+/// The output of a solver's reader: coefficients of order 3 and more, with linear cells.
 class NativeStaleness : public ::testing::Test
 {
 protected:
@@ -429,7 +429,7 @@ TEST_F(NativeStaleness, MovedCellsAreNotLinearized)
 
 TEST_F(NativeStaleness, LostCoefficientsAreNotLinearized)
 {
-  // As VTK's filters that drop FieldData leave it.
+  // The grid after VTK's filters that drop FieldData.
   const Grid grid = Zoo();
   grid->GetFieldData()->Initialize();
   ASSERT_FALSE(vtkHighOrderGrid::IsHighOrder(grid));

@@ -141,7 +141,8 @@ TEST(StraightCells, ABulgeAboveRoundingIsKept)
 }
 TEST(StraightCells, MeetCurvedNeighboursWhereTheyDid)
 {
-  // Beside the straight hexahedron one whose far side bulges; both have the nodes of their face.
+  // A hexahedron with a curved far side next to the straight one; both share the nodes of their
+  // face.
   const StraightCell kind{ VTK_QUADRATIC_HEXAHEDRON, Shape::Hexahedron };
   const auto straight = StraightGrid(kind, 0.0);
   const auto curved = StraightGrid(kind, 0.0);

@@ -45,7 +45,7 @@ struct Subdividing
   }
 };
 
-/// Of a cell, by its faces' triangles.
+/// The volume of a cell from its faces' triangles.
 double ComputeVolume(vtkCell* cell)
 {
   double volume = 0.0;
@@ -69,7 +69,7 @@ double ComputeVolume(vtkCell* cell)
   return volume;
 }
 
-/// Of the cells, each of which must be positive.
+/// The volume of the cells, each of which must be positive.
 double ComputeVolume(vtkUnstructuredGrid* grid)
 {
   double sum = 0.0;
@@ -82,7 +82,7 @@ double ComputeVolume(vtkUnstructuredGrid* grid)
   return sum;
 }
 
-/// Faces of one cell alone; VTK 9.1's surface filters leak.
+/// The number of faces that belong to one cell. VTK 9.1's surface filters leak memory.
 vtkIdType FacesOutside(vtkUnstructuredGrid* grid)
 {
   std::map<std::set<vtkIdType>, int> cells;
@@ -128,7 +128,7 @@ TEST(Subdivide, CellsOfEachShapeFillItAndFit)
       vtkUnstructuredGrid* output = subdividing.At(level);
       ASSERT_EQ(output->GetNumberOfCells(), shape.cells(n)) << shape.type << " level " << level;
       EXPECT_NEAR(ComputeVolume(output), shape.volume, 1e-12) << shape.type << " level " << level;
-      // Where two cells do not fit, faces between them count as outer ones.
+      // Where two cells do not match, the faces between them count as outer ones.
       EXPECT_EQ(FacesOutside(output), shape.faces(n)) << shape.type << " level " << level;
     }
     EXPECT_EQ(subdividing.messages->errors, "");

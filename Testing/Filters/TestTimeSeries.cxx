@@ -35,7 +35,7 @@ TEST_F(TimeSeries, StepsOfOneMeshKeepTheLocator)
     EXPECT_EQ(
       Converter->GetOutputDataObject(0)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), t);
   }
-  // Between, before and behind the steps.
+  // Times between, before and after the steps.
   ExpectValues(0.7, 0.5);
   ExpectValues(-5.0, 0.0);
   ExpectValues(99.0, 1.0);

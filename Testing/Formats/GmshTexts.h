@@ -67,7 +67,7 @@ inline const std::string kNodes22 =
 inline const std::string kPair22 = kFormat22 + kNodes22 +
   "$Elements\n3\n10 2 2 0 7 2 3 4\n11 4 2 0 1 1 2 3 4\n12 4 2 0 2 2 3 4 5\n$EndElements\n";
 
-/// `tags`: behind the name. `values`: the lines.
+/// `tags`: text after the name. `values`: the lines.
 inline std::string View(const std::string& section, const std::string& name, double time, int step,
   int components, int count, const std::string& values)
 {

@@ -94,7 +94,7 @@ struct KnownMap
     return values;
   }
 
-  /// From derivatives by xi to those in the world.
+  /// The derivatives in world space of derivatives by xi.
   [[nodiscard]] Slope InWorld(const Slope& f) const
   {
     Slope world(f.value);

@@ -48,7 +48,7 @@ inline std::vector<Point> Inside(Geometry solid)
   return points;
 }
 
-/// One part's value for given source coefficients.
+/// The value of one part for given source coefficients.
 inline long double Value(
   const ChangeOfBasis& part, Geometry solid, const std::vector<double>& source, const Point& x)
 {

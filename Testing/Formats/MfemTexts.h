@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// MFEM's meshes and grid functions as texts, and what is said of those that are refused.
+// Texts of MFEM's meshes and grid functions, and the messages for those that are refused.
 namespace pixelexact::testing::mfemtexts
 {
 inline SolverModel ReadTexts(const std::string& mesh, const std::vector<std::string>& fields = {})

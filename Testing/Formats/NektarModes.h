@@ -38,7 +38,7 @@ inline Slope FamilyA(int n, const Slope& z)
   return n == 0 ? low : high * (n == 1 ? Slope(1.0L) : low * JacobiOfOne(n - 2, 1, z));
 }
 
-/// Those of a direction that collapses others, in which the mode has indices of sum k.
+/// Functions of a direction that collapses others, in which the mode has indices of sum k.
 inline Slope FamilyB(int k, int n, const Slope& z)
 {
   if (k == 0)
@@ -53,7 +53,7 @@ inline Slope FamilyB(int k, int n, const Slope& z)
   return value;
 }
 
-/// One mode at eta. Functions of a collapsed edge or vertex are the sums over those that meet
+/// One mode at eta. Functions of a collapsed edge or vertex are the sums over those that coincide
 /// there.
 inline Slope NektarMode(Shape shape, int p, int q, int r, const SlopeTriple& eta)
 {

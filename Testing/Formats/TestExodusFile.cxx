@@ -18,7 +18,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// All that a reader asks for, one number after the other.
+/// All numbers that a reader needs, one after the other.
 std::vector<double> ReadAll(const std::string& path)
 {
   const ExodusFile file(path);
@@ -132,7 +132,7 @@ TEST(ExodusVectors, EndingsMakeComponents)
 
 namespace
 {
-/// What RunApart says of some work; empty: nothing.
+/// The message of RunApart for some work; empty where it succeeds.
 std::string Complaint(const std::function<void()>& work)
 {
   constexpr ApartLimits kLimits{ std::size_t{ 128 } << 20U, 1 };

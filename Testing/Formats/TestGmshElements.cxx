@@ -220,7 +220,7 @@ TEST(GmshElements, GmshsOwnNodesAreWhereTheyShouldBe)
   }
 }
 
-/// Curved neighbours of different shape meet in the same points.
+/// Curved neighbours of different shape have the same points on their common face.
 TEST(GmshElements, NeighboursConform)
 {
   const SolverModel model = ReadData("gmsh_zoo_g4");

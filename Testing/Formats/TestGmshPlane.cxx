@@ -107,7 +107,7 @@ TEST(GmshPlane, IncompleteQuadrilateralsHoldWhatIsLinearInOneDirection)
   constexpr std::array kTypes{ 16, 39, 40, 41, 57, 58, 59, 60, 61 };
   for (int order = 2; order <= 10; ++order)
   {
-    // Along u, whose direction is (2, -0.25).
+    // The value along u, whose direction is (2, -0.25).
     const auto power = [order](double x, double y)
     { return std::pow(((x - 1.0) - 0.5 * y) / 2.125, order); };
     const SolverModel model = ReadGmsh(
@@ -278,7 +278,7 @@ TEST(GmshPieces, NumbersInNamesAloneMakeNoPieces)
 
 TEST(GmshPieces, PartsOfAViewStandInTheirFiles)
 {
-  // The same partition in both, as who writes each piece for itself has it.
+  // Both files have the same partition number, as when each piece is written separately.
   const std::string left = std::string(kFormat22) +
     "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n1\n"
     "1 4 4 0 1 1 1 1 2 3 4\n$EndElements\n" +

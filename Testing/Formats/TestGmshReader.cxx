@@ -99,7 +99,7 @@ TEST(GmshReader, BothVersionsAsText)
   {
     const SolverModel model = ReadGmsh(text);
     ExpectPair(model);
-    // Without physical groups entities stand for them; the face lies between both elements.
+    // Without physical groups entities replace them; the face lies between both elements.
     EXPECT_EQ(model.mesh.attribute, (std::vector<std::int32_t>{ 1, 2 }));
     ASSERT_EQ(model.mesh.boundary.size(), 2U);
     EXPECT_EQ(model.mesh.boundary[0].attribute, 7);

@@ -100,7 +100,7 @@ TEST(GmshViews, StepsWithTimes)
 
 TEST(GmshViews, StepsWhoseTimesDoNotAscendAreNumbered)
 {
-  // As of eigenmodes, whose time is their frequency.
+  // Times do not ascend, as for eigenmodes, whose time is their frequency.
   const std::string text = kPair41 + View("NodeData", "u", 5, 0, 1, 5, kNodal) +
     View("NodeData", "u", 5, 1, 1, 5, kNodal) + View("NodeData", "w", 5, 0, 1, 5, kNodal) +
     View("NodeData", "w", 5, 2, 1, 5, kNodal);

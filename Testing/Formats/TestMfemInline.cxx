@@ -50,7 +50,7 @@ double VolumeOf(const SolverModel& model, int element)
   const Vec3 c = along({ 0, 0, 1 });
   const double determinant =
     a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
-  // Of the reference element.
+  // Volumes of the reference elements.
   const std::map<Shape, double> volume{ { Shape::Hexahedron, 8.0 }, { Shape::Prism, 4.0 },
     { Shape::Tetrahedron, 4.0 / 3 }, { Shape::Pyramid, 8.0 / 3 } };
   return determinant * volume.at(mesh.ShapeOf(element));
@@ -96,7 +96,7 @@ TEST(MfemInline, SidesHaveMfemsAttributes)
   EXPECT_EQ(count(ReadBox("type = tri\n" + plane)),
     (std::map<int, int>{ { 1, 3 }, { 2, 2 }, { 3, 3 }, { 4, 2 } }));
   const std::string solid = plane + "nz = 1\nsz = 1\n";
-  // Below z, y, x; above x, y, z.
+  // The attributes are those below in z, y, x, then those above in x, y, z.
   EXPECT_EQ(count(ReadBox("type = hex\n" + solid)),
     (std::map<int, int>{ { 1, 6 }, { 2, 3 }, { 3, 2 }, { 4, 3 }, { 5, 2 }, { 6, 6 } }));
   EXPECT_EQ(count(ReadBox("type = wedge\n" + solid)),

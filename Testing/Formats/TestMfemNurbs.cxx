@@ -161,7 +161,7 @@ TEST(MfemNurbs, KnotsThatAreThereTwiceSplitAPatch)
   EXPECT_EQ(PointAt(model, 1, Vec3(0.0, -1.0, 0.0)).x, 0.75);
 }
 
-/// At its only knot k a parabola's B-spline is (1 - k) P1 + k P2.
+/// At its only knot k the B-spline of a parabola is (1 - k) P1 + k P2.
 TEST(MfemNurbs, KnotsRunAsEdgesAreListed)
 {
   const std::string text = MakeNurbsSquare("2 4 0 0 0 0.25 1 1 1\n" + kLine, "unitweights",
@@ -180,7 +180,7 @@ TEST(MfemNurbs, FieldsOfOtherOrdersAndWeights)
   const std::string head = "MFEM FiniteElementSpace v1.0\nFiniteElementCollection: NURBS\nVDim: 1\n"
                            "Ordering: 0\n";
   const std::string end = "End: MFEM FiniteElementSpace v1.0\n";
-  // Order 2 along the first knot vector alone: numbers 4 and 5 are on edges 0 and 1.
+  // Order 2 only along the first knot vector: numbers 4 and 5 are on edges 0 and 1.
   const std::string values = "0 1 1 0 0.5 0.5\n";
   const SolverModel plain =
     ReadTexts(UnitSquare(), { head + "NURBS_orders\n2\n1\n" + end + values });
@@ -192,7 +192,7 @@ TEST(MfemNurbs, FieldsOfOtherOrdersAndWeights)
   // (2 * 2 t (1 - t) / 2 + t^2) / ((1 - t)^2 + 4 t (1 - t) + t^2) at t = 3/4
   EXPECT_NEAR(ValueAt(weighted, 0, 0, Vec3(0.5, 0.0, 0.0))[0], 0.9375 / 1.375, 1e-14);
   EXPECT_EQ(weighted.notes.size(), 1u);
-  // By patches: in the order of a grid.
+  // By patches the values are in the order of a grid.
   const SolverModel patches = ReadTexts(
     UnitSquare(), { head + "NURBS_orders\n2\n1\n" + end + "NURBS_patches\n0 0.5 1 0 0.5 1\n" });
   EXPECT_EQ(ValueAt(patches, 0, 0, Vec3(0.3, 0.2, 0.0)), ValueAt(plain, 0, 0, Vec3(0.3, 0.2, 0.0)));

@@ -125,7 +125,7 @@ TEST_F(MfemPieces, ProcessesReadTheirOwn)
   ASSERT_EQ(second.pieces.size(), 1U);
   EXPECT_EQ(second.pieces[0].piece, 1);
   EXPECT_EQ(second.pieces[0].elements, 1);
-  // More processes than pieces: some have none, and each piece is somebody's.
+  // With more processes than pieces some have none, and each piece is read once.
   int read = 0;
   for (int process = 0; process < 5; ++process)
   {
@@ -140,7 +140,7 @@ TEST_F(MfemPieces, ProcessesReadTheirOwn)
 TEST_F(MfemPieces, MissingOnesAreNamed)
 {
   const std::string mesh = Write("mesh.000000", MakeSquarePiece(0));
-  // The file tells of two processes, and the name of no other.
+  // The file names two processes, and no other file exists.
   ExpectRefusal([&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000000", "2 processes", "x.000001" });
   Write("mesh.000002", MakeSquarePiece(1));
   ExpectRefusal([&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000001 is missing" });

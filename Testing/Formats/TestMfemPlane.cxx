@@ -98,8 +98,8 @@ TEST(MfemPlane, QuadraticFieldsAreReproduced)
 }
 
 /// Unknowns of vector spaces are tangential or normal components of a constant, by edges as in the
-/// test above. Directions are those of the first element to meet an edge, from lower to higher
-/// vertex number.
+/// test above. Directions are those of the first element that contains an edge, from lower to
+/// higher vertex number.
 TEST(MfemPlane, ConstantVectorsOfLowestOrder)
 {
   const double points[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 2, 1 } };
@@ -142,8 +142,8 @@ TEST(MfemPlane, DensitiesArePerArea)
   EXPECT_NEAR(ValueAt(twice, 0, 2, kInside[0])[0], 0.25, 1e-15);
 }
 
-/// The sum of all functions of a nodal or Bernstein basis is one, and a basis has as many unknowns
-/// as its entities.
+/// All functions of a nodal or Bernstein basis sum to one, and a basis has the number of unknowns
+/// of its entities.
 TEST(MfemPlane, BasesOfAllOrders)
 {
   for (const std::string kind : { "H1_2D_P", "H1Pos_2D_P", "H1@U_2D_P", "L2_2D_P", "L2_T2_2D_P" })
@@ -212,7 +212,7 @@ TEST(MfemPlane, HilbertCurvesVisitNeighbours)
         const auto to = at(curve.child[i + 1]);
         for (std::size_t d = 0; d < 2; ++d)
         {
-          // In units of a child's child: neighbours are one apart in one direction.
+          // In units of a grandchild, neighbours differ by one in one direction.
           const int gap = 2 * (to[d] - from[d]) + (begin[d] - end[d]);
           EXPECT_LE(std::abs(gap), to[d] == from[d] ? 0 : 1) << state << " " << i;
         }
@@ -222,8 +222,8 @@ TEST(MfemPlane, HilbertCurvesVisitNeighbours)
   EXPECT_EQ(curves.size(), 8U);
 }
 
-/// One square into two by two, one of these again: the order of the leaves is that of the curve,
-/// and hanging vertices are halfway.
+/// One square divided into two by two, one of these divided again: the leaves are in the order of
+/// the curve, and hanging vertices are at the middles.
 TEST(MfemPlane, RefinedSquareWithoutNodes)
 {
   const std::string mesh =

@@ -75,7 +75,7 @@ TEST(MfemReader, BothOrderingsOfAVectorField)
 
 TEST(MfemReader, ComplexGridFunctionsAreTwo)
 {
-  // At the vertices x + 2 y + i z, and the vector of that and 3 of it.
+  // At the vertices x + 2 y + i z, and a vector of this and three times this.
   const double corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
     { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   std::string parts[2];
@@ -121,7 +121,7 @@ TEST(MfemReader, UnusedVerticesAreDroppedAsMfemDoes)
 
 TEST(MfemReader, RefinedCubeWithoutNodes)
 {
-  // One cube split along x: vertices 8 to 11 on the edges in x.
+  // One cube divided along x: vertices 8 to 11 are on the edges in x.
   const std::string mesh =
     std::string("MFEM NC mesh v1.0\ndimension\n3\nelements\n3\n-1 1 5 1 1 2\n"
                 "0 1 5 0 0 8 9 3 4 10 11 7\n0 2 5 0 8 1 2 9 10 5 6 11\n"
@@ -136,8 +136,8 @@ TEST(MfemReader, RefinedCubeWithoutNodes)
   EXPECT_EQ(model.mesh.boundary[0].element, 1);
 }
 
-/// A boundary element between two elements belongs to both; in a periodic mesh they lie at its two
-/// ends, and the file does not tell which was meant.
+/// A boundary element between two elements belongs to both. In a periodic mesh they are at its two
+/// ends, and the file does not distinguish them.
 TEST(MfemReader, BoundaryElementsBetweenElementsAreListedOnBothSides)
 {
   const std::string mesh = "MFEM mesh v1.0\ndimension\n3\nelements\n2\n1 5 0 1 2 3 4 5 6 7\n"
@@ -209,7 +209,7 @@ TEST(MfemReader, AttributeSetsAreGroups)
 
 TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
 {
-  // As ParMesh::ParPrint writes them: the groups of shared entities follow the piece.
+  // A piece as ParMesh::ParPrint writes it, with the groups of shared entities after it.
   std::string piece = OneCube();
   piece.replace(piece.find("v1.0"), 4, "v1.2");
   const std::string serial = piece;
@@ -219,7 +219,7 @@ TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
     "total_shared_faces 1\n";
   piece += "\nmfem_serial_mesh_end\n\n" + groups + "\nmfem_mesh_end\n";
   ExpectMessage(Message(piece), { "a.mesh", "one piece", "2 processes", "x.000001", "PrintAsOne" });
-  // With nodes, whose numbers end where the groups begin.
+  // A piece with nodes, whose numbers end where the groups begin.
   std::string curved = piece;
   curved.replace(curved.find("vertices\n8\n3\n") + 11, std::string(kCubeVertices).size() + 2,
     "nodes\n" + MakeFieldText("H1_3D_P1", 3, 1, kCubeVertices));
@@ -227,7 +227,7 @@ TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
   ExpectMessage(Message(serial + "\n" + groups), { "one piece" });
   const std::string stream = "mesh\n" + piece;
   EXPECT_THROW(mfem::ReadStream({ "a.saved", stream }), InvalidData);
-  // Of a refined mesh: that of another rank than the first.
+  // A piece of a refined mesh, of another rank than the first.
   ExpectMessage(
     Message("MFEM NC mesh v1.0\ndimension\n3\nrank 1\nelements\n1\n1 1 5 0 0 1 2 3 4 5 6 7\n"
             "coordinates\n8\n3\n" +

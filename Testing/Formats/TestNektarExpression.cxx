@@ -41,7 +41,8 @@ TEST(NektarExpression, ExpressionsFollowNektarsRules)
 {
   const auto value = [](std::string_view text)
   { return nektar::Evaluate(text, [](std::string_view) { return std::nullopt; }); };
-  // By hand, from the grammar of Nektar++'s interpreter; the first three are its own tests.
+  // Values computed by hand from the grammar of Nektar++'s interpreter; the first three are its own
+  // tests.
   EXPECT_EQ(value("-2"), -2);
   EXPECT_EQ(value("5*(-(2^2)^4)"), -1280);
   EXPECT_EQ(value("2^2^4"), 65536);

@@ -87,7 +87,7 @@ TEST(NektarGeometry, NumbersAreReadWholeOrRefused)
   composite("<C ID=\"0\">H[5;6]</C>");
   composite("<C ID=\"9999999999\">H[5]</C>");
   refuse("<V ID=\"0\">0 0 0", "<V ID=\"0\">0 nan 0", "element 5");
-  // Comments stand anywhere.
+  // Comments may be anywhere.
   const SolverModel model =
     ReadSession(Replaced(good, "<V ID=\"6\">1 1 1", "<V ID=\"6\">1 <!-- x -- y --> 1<!-- z -->1"));
   EXPECT_EQ(Corner(model).y, 1);

@@ -32,7 +32,7 @@ protected:
     }
   }
 
-  /// As vtkNektarReader reads files.
+  /// Reads files as vtkNektarReader does.
   SolverModel Load(const std::string& session, const std::string& field = {})
   {
     std::vector<NamedText> sessions{ Text(session) };

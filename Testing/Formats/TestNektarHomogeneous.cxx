@@ -90,7 +90,7 @@ TEST(NektarHomogeneous, PolynomialsAreAsNearAsIsProven)
 
 TEST(NektarHomogeneous, TrianglesAndQuadrilateralsInLayers)
 {
-  // Of order 1 in the plane, with one value at all vertices: 2 + cos(wave 1) - 3 sin(wave 2) there.
+  // Order 1 in the plane, with one value at all vertices: 2 + cos(wave 1) - 3 sin(wave 2) there.
   const std::string four = " 2 2 2 2 1 1 1 1 3 3 3 3 ";
   const std::string three = " 2 2 2 1 1 1 3 3 3 ";
   const SolverModel model = ReadSession(kPlane,
@@ -213,8 +213,8 @@ TEST(NektarHomogeneous, TwoDirectionsOverALine)
     "<COMPOSITE><C ID=\"0\"> S[3,5] </C><C ID=\"1\"> V[0] </C><C ID=\"2\"> V[2] </C></COMPOSITE>"
     "</GEOMETRY><CONDITIONS><SOLVERINFO><I PROPERTY=\"HOMOGENEOUS\" VALUE=\"2D\"/></SOLVERINFO>"
     "</CONDITIONS></NEKTAR>";
-  // Of order 1 along x: x * (1 + 2 cos(wave 1 of y)) - sin(wave 1 of z) cos(wave 1 of y) / 2, waves
-  // of lengths 3 and 7.
+  // Order 1 along x: x * (1 + 2 cos(wave 1 of y)) - sin(wave 1 of z) cos(wave 1 of y) / 2, for
+  // waves of lengths 3 and 7.
   const auto coefficients = [](double a, double b)
   {
     const auto pair = [](double u, double v)

@@ -109,7 +109,7 @@ TEST(NektarLongBlocks, DamageIsToldWithItsPlace)
   EXPECT_NE(message(text).find("ID=\"5\""), std::string::npos);
   text = Replaced(sound, "</ELEMENTS>\n</NEKTAR>", "</ELEMENTS>\n</NEKTA>");
   EXPECT_NE(message(text).find("line 6"), std::string::npos) << message(text);
-  // A mark of the file's own stands for nothing.
+  // A mark in the file itself has no meaning.
   text = Replaced(sound, "<Time>2.5</Time>",
     "<Time>B\x01"
     "0\x01</Time>");

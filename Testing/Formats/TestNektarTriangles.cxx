@@ -91,7 +91,7 @@ private:
   BasisFactor Factor;
 };
 
-/// From below: at the points of a grid.
+/// A lower bound of the Lebesgue constant, from the points of a grid.
 double LebesgueConstant(Distribution distribution, int order, int steps)
 {
   const Cardinals cardinals(TrianglePoints(distribution, order), order);
@@ -150,8 +150,8 @@ TEST(NektarTriangles, PointsAreInNektarsOrder)
 
 TEST(NektarTriangles, EdgesHaveGaussLobattoPoints)
 {
-  // In the table's ten digits; Nektar++'s Fekete points of orders 6 and 9 have fewer that are
-  // right.
+  // The points agree to the table's ten digits; Nektar++'s Fekete points of orders 6 and 9 have
+  // fewer correct digits.
   for (int n = 1; n <= 10; ++n)
   {
     const auto line = GaussLobattoPoints(n + 1);
@@ -174,7 +174,7 @@ TEST(NektarTriangles, EdgesHaveGaussLobattoPoints)
 
 TEST(NektarTriangles, FeketePointsMakeTheDeterminantStationary)
 {
-  // Then each inner point's own function is flat there. That holds to the table's digits.
+  // The gradient of each inner point's own function is then zero there, to the table's digits.
   for (int n = 3; n <= HighestOrder(Distribution::TriangleFekete); ++n)
   {
     const auto points = TrianglePoints(Distribution::TriangleFekete, n);

@@ -38,7 +38,7 @@ long double Bernstein(int degree, int i, long double x)
     std::pow(t, i) * std::pow(1 - t, degree - i);
 }
 
-/// By the definition.
+/// The value by the definition.
 long double ValueAt(const RationalElement& element, const std::array<long double, 3>& x)
 {
   long double numerator = 0.0L;

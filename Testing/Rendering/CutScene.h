@@ -81,7 +81,7 @@ public:
     renderer->ResetCameraClippingRange();
   }
 
-  /// What a ray meets first.
+  /// The first object that a ray meets.
   enum class Seen
   {
     Nothing,
@@ -157,7 +157,7 @@ public:
           const int gray = Gray(expected.position);
           color = expected.seen == Seen::Cut ? Rgb{ gray, gray, gray } : Rgb{ 255, 0, 0 };
           depth = VtkDepth(camera, expected.position, width, height);
-          // The sphere is made of triangles, and steep at its outline.
+          // VTK's sphere consists of triangles and is steep at its outline.
           tolerance = expected.seen == Seen::Cut ? 3e-7 : 4e-3;
         }
         color = over ? over(color) : color;

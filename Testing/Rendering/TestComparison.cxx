@@ -78,7 +78,7 @@ TEST(Comparison, TellsErrorsOfKnownSize)
   const auto grid = BoxGrid(2);
   Comparing comparing(grid);
   comparing.filter->SetFieldName("u");
-  // The field is not what this says: it is off by 0.25.
+  // The triangles' values differ from the field by 0.25.
   vtkNew<vtkHighOrderLinearCut> cut;
   cut->SetInputData(grid);
   cut->SetCutFunction(comparing.plane);
@@ -104,7 +104,7 @@ TEST(Comparison, TellsErrorsOfKnownSize)
   EXPECT_EQ(comparing.At(0, "Missing"), 0.0);
   EXPECT_EQ(comparing.At(0, "Invented"), 0.0);
   EXPECT_LT(comparing.At(0, "LargestError"), 1e-2);
-  // Over the field's range on the square, 2 but for the half pixels at its edge.
+  // Relative to the field's range on the square, 2 except for the half pixels at its edge.
   EXPECT_NEAR(comparing.At(1, "MeanError"), 0.25 / 2.0, 0.01);
   EXPECT_NEAR(comparing.At(1, "LargestError"), 0.25 / 2.0, 0.015);
   EXPECT_EQ(comparing.At(2, "Triangles"), 0.0);

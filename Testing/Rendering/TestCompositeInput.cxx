@@ -47,7 +47,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Half(bool right)
   return half;
 }
 
-/// BoxGrid(2) as two halves, with an empty leaf and a null one between them, whose flat indices are
+/// BoxGrid(2) as two blocks, with an empty leaf and a null one between them, whose flat indices are
 /// 2 and 5.
 vtkSmartPointer<vtkMultiBlockDataSet> Children()
 {
@@ -236,7 +236,7 @@ TEST_F(CompositeInput, LeavesThatChangeAreSeen)
   const vtkIdType builds = Scene.Mapper->GetNumberOfModelBuilds();
   ASSERT_EQ(ErrorsOf(children), "");
   EXPECT_EQ(Scene.Mapper->GetNumberOfModelBuilds(), builds);
-  // In place: the composite data themselves do not know.
+  // Changes a leaf in place, which does not modify the composite data.
   auto* right = vtkUnstructuredGrid::SafeDownCast(children->GetBlock(3));
   vtkDataArray* coefficients = vtkDataArray::SafeDownCast(right->GetFieldData()->GetAbstractArray(
     (std::string(kFieldPrefix) + "u.Coefficients").c_str()));

@@ -254,7 +254,7 @@ TEST_F(ContoursInWindow, ColorsAreTheTablesWhereTheSurfaceHasOne)
   EXPECT_GT(
     count(static_cast<int>(std::lround(255.0 * (0.5 - range[0]) / (range[1] - range[0])))), 50);
   EXPECT_EQ(std::vector<double>(Scene.Table->GetRange(), Scene.Table->GetRange() + 2), range);
-  // And of a layer.
+  // The same for a layer.
   Scene.Mapper->ScalarVisibilityOn();
   Scene.Mapper->SetScalarRange(-1.0, 2.0);
   Scene.Mapper->SetCutFunction(nullptr);
@@ -301,7 +301,7 @@ TEST_F(ContoursInWindow, OfLayersAreTheirOwn)
   View.Render();
   EXPECT_EQ(Scene.Mapper->GetNumberOfContourPixels(), 0);
   EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), 1);
-  // In the mapper's colour, whatever colours single ones of its own have.
+  // The layer uses the mapper's colour, whatever colours its own contours have.
   layer->ContourVisibilityOn();
   Scene.Mapper->SetContourWidth(6.0);
   for (const int own : { 1, 0 })
@@ -397,7 +397,7 @@ TEST_F(ContoursInWindow, LabelsThatAreNotWrittenAreTold)
   Scene.Mapper->AddObserver(vtkCommand::WarningEvent, Errors);
   Scene.Mapper->SetContourValue(0, 0.25);
   Scene.Mapper->ContourLabelsOn();
-  // A plane alone has nothing behind it.
+  // A single plane hides nothing.
   Scene.Cut->GetProperty()->SetOpacity(0.5);
   EXPECT_EQ(Complaint(), "");
   vtkNew<vtkPlane> behind;
@@ -405,7 +405,7 @@ TEST_F(ContoursInWindow, LabelsThatAreNotWrittenAreTold)
   behind->SetNormal(0.0, 0.0, 1.0);
   Scene.Mapper->AddCutFunction(behind);
   EXPECT_TRUE(Contains(Complaint(), "ContourLabels")) << Errors->Text;
-  // Not even then a size that they cannot have.
+  // A size that labels cannot have is refused even then.
   Scene.Mapper->SetContourLabelSize(5);
   EXPECT_TRUE(Contains(Complaint(), "6 to 72")) << Errors->Text;
 }

@@ -48,11 +48,11 @@ TEST(HighOrderMapper, BuffersAreTheTracersBitForBit)
     }
     ASSERT_NE(data->GetArray("Color"), nullptr);
     EXPECT_EQ(data->GetArray("Color")->GetNumberOfComponents(), 4);
-    // Asked for again, nothing is done again.
+    // A second request does no work.
     const vtkIdType traces = scene.Mapper->GetNumberOfTraces();
     EXPECT_EQ(scene.Mapper->GetBuffers(), image);
     EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), traces);
-    // Cuts do not need what lies behind faces.
+    // Cuts do not need the table of faces.
     EXPECT_FALSE(HighOrderModel::From(scene.Grid)->HasFaces());
   }
 }

@@ -79,7 +79,7 @@ TEST_F(HighOrderMapperErrors, AreToldOnce)
   Scene.Mapper->SetFieldName("pressure");
   EXPECT_NE(Render(), "");
   EXPECT_EQ(Render(), "");
-  // In another view, too.
+  // The error is also reported in another view.
   vtkNew<vtkRenderer> second;
   Window.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   second->SetViewport(0.5, 0.0, 1.0, 1.0);
@@ -89,7 +89,7 @@ TEST_F(HighOrderMapperErrors, AreToldOnce)
   EXPECT_EQ(Render(), "");
   Scene.Mapper->SetFieldName("density");
   EXPECT_TRUE(Contains(Render(), "'density'")) << Errors->Text;
-  // Once it was right, it is told anew.
+  // After a correct frame, the error is reported again.
   Scene.Mapper->SetFieldName("u");
   EXPECT_EQ(Render(), "");
   Scene.Mapper->SetFieldName("density");

@@ -105,7 +105,7 @@ TEST(HighOrderPicker, KnowsThePointInClosedForm)
   const int j = 120;
   const auto expected = CutScene::Meet(rays.At(i + 0.5, j + 0.5));
   ASSERT_EQ(expected.seen, CutScene::Seen::Cut);
-  // Not rendered before. Any position within the pixel is the pixel.
+  // The view was not rendered before. Any position within the pixel gives the pixel.
   ASSERT_NE(picked.Picker->Pick(i + 0.9, j + 0.2, 0.0, picked.Window.Renderer), 0);
   EXPECT_EQ(picked.Picker->GetActor(), picked.Scene.Cut);
   EXPECT_EQ(picked.Picker->GetMapper(), picked.Scene.Mapper);
@@ -129,13 +129,13 @@ TEST(HighOrderPicker, MissesAreMisses)
   ASSERT_TRUE(picked.Pick(110, 120));
   EXPECT_FALSE(picked.Pick(2, 2));
   ExpectNothing(picked.Picker);
-  // Outside of the viewport, where the camera's rays would meet the cut.
+  // Nothing is picked outside of the viewport, even where the camera's rays would meet the cut.
   ASSERT_TRUE(picked.Pick(110, 120));
   picked.Window.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
   EXPECT_FALSE(picked.Pick(110, 120));
   ExpectNothing(picked.Picker);
   EXPECT_TRUE(picked.Pick(110 / 2 + Window::kWidth / 2, 120));
-  // Not to be picked, or not to be seen.
+  // An actor that is not pickable, or not visible.
   picked.Window.Renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
   picked.Scene.Cut->PickableOff();
   EXPECT_FALSE(picked.Pick(110, 120));
@@ -234,7 +234,7 @@ TEST(HighOrderPicker, ClippingPlanesAndNearAndFarPlaneCut)
   const double middle = camera->GetDistance();
   camera->SetClippingRange(middle, range[1]);
   EXPECT_GT(picked.ExpectPixels(), 5);
-  // Beyond the far plane pixels know values, but nothing is drawn.
+  // Beyond the far plane pixels have values, but nothing is drawn.
   camera->SetClippingRange(range[0], middle);
   picked.Window.Render();
   int cuts = 0;

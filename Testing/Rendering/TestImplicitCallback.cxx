@@ -59,7 +59,7 @@ protected:
 
   static SurfaceSearch Search() { return { { Vec3(-2.0), Vec3(2.0) } }; }
 
-  /// What the function itself says.
+  /// The function's own messages.
   std::string Told()
   {
     Errors->Text.clear();

@@ -205,7 +205,7 @@ TEST(LayersInWindow, RecolouringAndRelightingTraceNothing)
   scene.Mapper->SetScalarRange(0.0, 1.0);
   layer->ScalarVisibilityOn();
   expectRecoloured();
-  // What rays meet is another matter.
+  // Opacity does not affect which surfaces rays meet.
   layer->SetOpacity(1.0);
   window.Render();
   EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 2);
@@ -214,8 +214,8 @@ TEST(LayersInWindow, RecolouringAndRelightingTraceNothing)
   EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 3);
 }
 
-/// A glass sphere of ours about a red one of VTK's, which hides the glass behind it, over our
-/// plane: against a ray tracer of six lines.
+/// A translucent sphere of PixelExact about a red one of VTK's, which hides its back, over a plane
+/// of PixelExact, compared with a ray tracer of six lines.
 TEST(LayersInWindow, TranslucentLayersBeforeAndBehindOpaqueGeometry)
 {
   CutScene scene;
@@ -237,7 +237,7 @@ TEST(LayersInWindow, TranslucentLayersBeforeAndBehindOpaqueGeometry)
   CutScene::Look(window.Renderer, false);
   window.Render();
   const VtkRays rays(window.Renderer->GetActiveCamera(), Window::kWidth, Window::kHeight);
-  // How many glass walls are before what is seen.
+  // The number of translucent walls in front of the visible object.
   const auto seen = [&](double x, double y)
   {
     const Ray ray = rays.At(x, y);
@@ -290,7 +290,7 @@ TEST(LayersInWindow, TranslucentLayersBeforeAndBehindOpaqueGeometry)
   }
 }
 
-/// Which of two coincident planes is seen is what the polygon offset says.
+/// The polygon offset determines which of two coincident planes is visible.
 TEST(LayersInWindow, PolygonOffsetIsHonoured)
 {
   CutScene scene;
@@ -339,7 +339,8 @@ TEST(LayersInWindow, PolygonOffsetIsHonoured)
   vtkMapper::SetResolveCoincidentTopologyToDefault();
 }
 
-/// Three layers, with different fields, one of them translucent, lit, beside ordinary geometry.
+/// Three layers with different fields, one of them translucent, lit, together with ordinary
+/// geometry.
 TEST(LayersInWindow, ThreeLayersWithTheirOwnFields)
 {
   CutScene scene;

@@ -98,7 +98,7 @@ TEST_F(MeshSurfaces, IsoSurfacesOfWhatIsNotThereAreRefused)
 
 TEST_F(MeshSurfaces, TheRangeOfTheCutIsWiderThanRounding)
 {
-  // Of its own field, a surface has one value: with rounding, some.
+  // An iso-surface of its own field has one value; with rounding, a narrow range.
   vtkNew<vtkHighOrderIsoSurface> iso;
   iso->SetValue(0.1);
   Scene.Mapper->SetSurface(iso);

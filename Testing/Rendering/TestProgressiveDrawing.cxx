@@ -18,7 +18,7 @@ using testing::CutScene;
 using testing::SameBytes;
 using testing::Window;
 
-/// What a window's picture is, as users save it.
+/// A window's picture as users save it.
 vtkSmartPointer<vtkImageData> Screenshot(Window& window, bool rerender = true)
 {
   vtkNew<vtkWindowToImageFilter> filter;
@@ -41,7 +41,7 @@ int Differing(vtkImageData* a, vtkImageData* b)
   return count;
 }
 
-/// A window that is in a hurry, beside one of the same view that is not.
+/// A window with a time limit, and one of the same view without.
 class Dragging : public ::testing::Test
 {
 protected:
@@ -166,7 +166,7 @@ TEST_F(Dragging, ObserversEndAFrame)
       static_cast<vtkRenderWindow*>(window)->SetAbortRender(1);
     });
   const unsigned long observer = Shown.RenderWindow->AddObserver(vtkCommand::AbortCheckEvent, end);
-  // Slow enough to be asked: each tile takes more than the time between two questions.
+  // Makes tiles slow: each takes longer than the interval between two checks of the time.
   vtkNew<vtkCallbackCommand> slow;
   slow->SetCallback([](vtkObject*, unsigned long, void*, void*)
     { std::this_thread::sleep_for(std::chrono::milliseconds(15)); });

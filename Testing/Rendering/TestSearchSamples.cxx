@@ -68,7 +68,7 @@ TEST(SearchSamples, ThinSheetsAreFoundByMoreOfThem)
   scene.Mapper->SetSearchSamples(2000);
   window.Render();
   EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), traces + 1);
-  // Up to the rim, where rays meet the box beside the plane.
+  // The counts agree up to the rim, where rays meet the box outside of the plane.
   EXPECT_NEAR(
     static_cast<double>(PixelsShown(scene.Mapper)), static_cast<double>(plane), 0.02 * plane);
   EXPECT_EQ(scene.Mapper->GetNumberOfNumericHits(), PixelsShown(scene.Mapper));
@@ -79,7 +79,7 @@ TEST(SearchSamples, ThinSheetsAreFoundByMoreOfThem)
   EXPECT_EQ(copy->GetSearchSamples(), 2);
 }
 
-/// A class derived from vtkPlane may be any function, with something behind what is seen.
+/// A class derived from vtkPlane may be any function, with further hits behind the first.
 TEST(SearchSamples, FunctionsDerivedFromPlanesAreSeenThrough)
 {
   class TwoPlanes : public vtkPlane
@@ -116,7 +116,7 @@ TEST(SearchSamples, FunctionsDerivedFromPlanesAreSeenThrough)
   EXPECT_GT(scene.Mapper->GetNumberOfNumericHits(), PixelsShown(scene.Mapper) * 5 / 4);
 }
 
-/// What lies behind so many that it is not drawn is told, as by the tool.
+/// Hits behind the largest number of sheets are reported, as by the tool.
 TEST(SearchSamples, MoreSheetsThanAreKeptAreTold)
 {
   CutScene scene;

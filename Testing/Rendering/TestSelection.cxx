@@ -239,7 +239,7 @@ TEST(Selection, ActorsSeenThroughAreHiddenFromIt)
         ASSERT_EQ(selected.Selector->GetPixelInformation(pixel.data()).Prop, selected.Scene.Cut);
       }
     });
-  // Wholly transparent ones are not there.
+  // Fully transparent actors are not selected.
   selected.Scene.Cut->GetProperty()->SetOpacity(0.0);
   ASSERT_TRUE(selected.Selector->CaptureBuffers());
   selected.ForEachPixel([&](const std::array<unsigned int, 2>& pixel, const CutScene::Expected&)
@@ -318,7 +318,7 @@ TEST(SelectionImage, IsOfTheNearestSampleThatIsShown)
   EXPECT_EQ(std::vector<std::uint8_t>(high.rgba.begin(), high.rgba.begin() + 4),
     (std::vector<std::uint8_t>{ 2, 1, 0, 255 }));
 
-  // Who asks for the actor alone gets the undecided one, too.
+  // A selection of the actor alone also includes undecided pixels.
   pass = { .shows = SelectionPass::Shows::Prop, .color = { 9, 8, 7 }, .needsCells = false };
   const SelectionImage prop = MakeSelectionImage(pass, frame, rows, source, {});
   EXPECT_EQ(

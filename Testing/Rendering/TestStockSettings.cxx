@@ -92,7 +92,7 @@ TEST_F(StockSettings, ArrayComponentIsHonoured)
   EXPECT_TRUE(Shows("v", 2));
   Scene.Mapper->SetArrayComponent(1);
   EXPECT_TRUE(Shows("v", 1));
-  // As stock mappers: it goes before what the table says.
+  // As in stock mappers, the array's choice precedes that of the table.
   Scene.Table->SetVectorModeToMagnitude();
   EXPECT_TRUE(Shows("v", 1));
   Scene.Mapper->SetArrayComponent(0);
@@ -147,7 +147,7 @@ TEST_F(StockSettings, ColorsThatAreNotAFieldsAreRefused)
   }
   Scene.Mapper->SetColorModeToDirectScalars();
   expect(true, "ColorModeToMapScalars");
-  // Nobody asks for colours then.
+  // No colours are requested then.
   Scene.Mapper->ScalarVisibilityOff();
   expect(false, "ColorMode");
   Scene.Mapper->ScalarVisibilityOn();
@@ -252,7 +252,7 @@ TEST_F(StockSettings, ForcedPhasesDrawTheSame)
   glass->SetCutFunction(sphere);
   glass->SetOpacity(0.4);
   Scene.Mapper->AddLayer(glass);
-  // Without it VTK's translucent phase blends two sheets by an estimate.
+  // Without depth peeling VTK's translucent phase blends two sheets by an estimate.
   Window.Renderer->UseDepthPeelingOn();
   Window.RenderWindow->SetAlphaBitPlanes(1);
   Scene.Cut->ForceOpaqueOff();
@@ -340,7 +340,7 @@ TEST_F(StockSettings, EdgeVisibilityDrawsWhereElementsMeet)
         continue;
       }
       const double* x = position->GetTuple3(static_cast<vtkIdType>(i));
-      // At inner faces, and at the mesh's boundary.
+      // The edges are at inner faces and at the mesh's boundary.
       EXPECT_LT(
         std::min({ std::abs(x[0]), std::abs(x[1]), 1.0 - std::abs(x[0]), 1.0 - std::abs(x[1]) }),
         0.1)
@@ -385,12 +385,12 @@ TEST_F(StockSettings, LogarithmsOfWhatIsNotAboveZero)
   Render();
   EXPECT_NE(Warnings->Text.find("logarithmic"), std::string::npos) << Warnings->Text;
   EXPECT_NE(Warnings->Text.find("-1 to 2"), std::string::npos) << Warnings->Text;
-  // The table does not have to say so.
+  // The mapper reports the problem, so the table reports no error.
   EXPECT_EQ(tableErrors->Text, "");
   EXPECT_EQ(Scene.Table->GetRange()[0], 0.5);
   Scene.Mapper->SetRangeModeToCut();
   Render();
-  // Of the values that have a logarithm.
+  // The range covers the values that have a logarithm.
   EXPECT_EQ(Warnings->Text, "");
   EXPECT_GT(Scene.Mapper->GetScalarRange()[0], 0.0);
   EXPECT_EQ(Scene.Table->GetRange()[0], Scene.Mapper->GetScalarRange()[0]);
@@ -420,7 +420,7 @@ TEST_F(StockSettings, RangesThatAreNoneAreRefused)
     expect(true, "range of colours");
   }
   EXPECT_EQ(tableErrors->Text, "");
-  // Nobody asks for colours then.
+  // No colours are requested then.
   Scene.Mapper->ScalarVisibilityOff();
   expect(false, "range");
   Scene.Mapper->ScalarVisibilityOn();
@@ -481,7 +481,7 @@ TEST_F(StockSettings, RangeOfTheField)
   layer->SetComponent(2);
   Scene.Mapper->AddLayer(layer);
   ExpectRange(-0.75, 2.0, 0.003);
-  // Of a scalar the magnitude is the value.
+  // The magnitude of a scalar is its value.
   layer->SetFieldName("u");
   layer->SetComponent(vtkHighOrderLayer::MAGNITUDE);
   ExpectRange(-0.75, 1.75, 0.0025);
@@ -521,7 +521,7 @@ TEST_F(StockSettings, RangeOfTheCut)
     EXPECT_EQ(Scene.Mapper->GetSeenRange()[1], upper);
   };
   expectShown();
-  // At z = 0; pixels come close to the ends.
+  // The range at z = 0; pixels come close to its ends.
   ExpectRange(-0.5, 1.5, 0.05);
   const vtkIdType colorings = Scene.Mapper->GetNumberOfColorings();
   Render();

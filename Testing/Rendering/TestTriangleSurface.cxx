@@ -43,7 +43,8 @@ protected:
     }
   }
 
-  /// They differ at most where an outline meets a centre; depths, elsewhere, by their rounding.
+  /// Pictures may differ where an outline passes a pixel's centre; elsewhere depths differ by
+  /// rounding.
   void ExpectSamePictures()
   {
     Ours.Render();
@@ -81,7 +82,7 @@ TEST_F(TriangleSurface, SilhouettesAndDepthsAreThoseOfVtksMapper)
   Surface->SetInputConnection(Source->GetOutputPort());
   StockMapper->SetInputConnection(Source->GetOutputPort());
   ExpectSamePictures();
-  // As any pipeline's, its changes are seen by the next picture.
+  // As for any pipeline, the next picture shows its changes.
   const vtkIdType builds = Scene.Mapper->GetNumberOfSurfaceBuilds();
   Source->SetThetaResolution(4);
   ExpectSamePictures();

@@ -214,7 +214,7 @@ TEST(VtkCamera, FramesABoxAsResetCameraDoes)
     {
       for (const Vec3& towards : { Vec3(0.0, 0.0, 1.0), Vec3(1.0, -2.0, 0.5), Vec3(0.0, 3.0, 0.0) })
       {
-        // Without a window it has the aspect that it is told.
+        // Without a window the renderer has the aspect that was set.
         vtkNew<vtkRenderer> renderer;
         renderer->SetAspect(static_cast<double>(width) / height, 1.0);
         vtkCamera* camera = renderer->GetActiveCamera();

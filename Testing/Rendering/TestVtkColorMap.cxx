@@ -129,7 +129,7 @@ TEST(VtkColorMap, NamedMapsSpanTheRange)
     EXPECT_EQ(table->GetRange()[0], -2.0);
     EXPECT_EQ(table->GetRange()[1], 5.0);
     ExpectVtksColors(table);
-    // What lies beyond the range has the colours of its ends.
+    // Values outside the range have the colours of its ends.
     const double values[] = { -2.0, -1e9, 5.0, 1e9 };
     std::array<std::uint8_t, 16> colors{};
     ToColorMap(table)(values, colors.data());

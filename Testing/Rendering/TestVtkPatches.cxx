@@ -62,7 +62,7 @@ std::array<long double, 3> Evaluate(const BezierPatch& patch, double u, double v
   return along(column, u);
 }
 
-/// One cell of random points. Degrees are told by an array where they differ, or where asked for.
+/// One cell of random points. An array gives the degrees where they differ or `tellDegrees` is set.
 vtkSmartPointer<vtkUnstructuredGrid> Cell(int nu, int nv, bool tellDegrees)
 {
   std::mt19937 random(static_cast<unsigned>(10 * nu + nv));
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Cell(int nu, int nv, bool tellDegrees)
   {
     points->InsertNextPoint(number(random), number(random), number(random));
   }
-  // Not in the order of the points.
+  // The ids are not in the order of the points.
   std::iota(ids.rbegin(), ids.rend(), vtkIdType{ 0 });
   grid->SetPoints(points);
   grid->InsertNextCell(VTK_BEZIER_QUADRILATERAL, static_cast<vtkIdType>(ids.size()), ids.data());
@@ -168,7 +168,7 @@ TEST(VtkPatches, PlainPointsAreBicubicRowsOfU)
     EXPECT_EQ(patches[1].points.at(4 * 2 + 3), Vec3(6.0, 3.0, 1.0));
   };
   expect();
-  // As tables of points come.
+  // The input of a table of points.
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType k = 0; k < 32; ++k)
   {

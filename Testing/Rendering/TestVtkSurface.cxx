@@ -40,7 +40,7 @@ vtkNew<vtkPlane> MakePlane()
   return plane;
 }
 
-/// By name and what it does, the plane of ParaView's widgets: an offset along the normal.
+/// A plane with the name and behaviour of ParaView's widgets' plane: an offset along the normal.
 class vtkPVPlane : public vtkPlane
 {
 public:
@@ -147,7 +147,7 @@ TEST(VtkSurface, ParaViewsPlaneIsAPlane)
   plane->SetNormal(kNormal);
   const auto surface = ToSurface(plane);
   EXPECT_TRUE(surface->IsFlat());
-  // Where n . (x - o) = |n| / 4.
+  // The plane is where n . (x - o) = |n| / 4.
   Ray ray;
   ray.origin = { kOrigin[0], kOrigin[1], kOrigin[2] };
   ray.direction = glm::normalize(Vec3(kNormal[0], kNormal[1], kNormal[2]));
@@ -198,7 +198,8 @@ TEST(VtkSurface, NonsenseIsRefused)
 
 namespace
 {
-/// Rays about a place meet the surface where VTK's function is zero, and wherever it changes sign.
+/// Checks that rays about a place meet the surface where VTK's function is zero, and at every
+/// change of its sign.
 void ExpectZerosOf(vtkImplicitFunction* function, const Vec3& place, double size)
 {
   const auto surface = ToSurface(function);
@@ -219,7 +220,7 @@ void ExpectZerosOf(vtkImplicitFunction* function, const Vec3& place, double size
     {
       ++found;
       EXPECT_EQ(hit.status, HitStatus::Certain);
-      // Beside a hit the function has either sign.
+      // On both sides of a hit the function has different signs.
       const double aside = 1e-7 * size;
       EXPECT_LE(valueAt(hit.t - aside) * valueAt(hit.t + aside), 0.0)
         << function->GetClassName() << " at " << hit.t;
@@ -232,7 +233,7 @@ void ExpectZerosOf(vtkImplicitFunction* function, const Vec3& place, double size
       ends.push_back(hit.t);
     }
     ends.push_back(6.0 * size);
-    // And between hits it has one sign.
+    // Between hits it has one sign.
     for (std::size_t k = 1; k < ends.size(); ++k)
     {
       const double first = valueAt(ends[k - 1] + 0.01 * (ends[k] - ends[k - 1]));
@@ -246,7 +247,7 @@ void ExpectZerosOf(vtkImplicitFunction* function, const Vec3& place, double size
   EXPECT_GT(found, 50) << function->GetClassName();
 }
 
-/// Without a transform, and with one.
+/// Checks a function without a transform, and with one.
 template <class Function>
 void ExpectZerosMovedOrNot(Function* function)
 {

@@ -47,7 +47,7 @@ public:
     Renderer->SetBackground(0.0, 0.0, 0.2);
   }
 
-  /// Renders and leaves the picture behind for people, in the folder for temporary files.
+  /// Renders, and writes the picture to the folder of temporary files for inspection.
   void Render()
   {
     RenderWindow->Render();
@@ -99,7 +99,7 @@ private:
   static inline std::map<std::string, int> Pictures; ///< written, by test
 };
 
-/// The rays of image positions by VTK's matrices: what OpenGL's geometry sees.
+/// The rays of image positions by VTK's matrices, as in OpenGL's geometry.
 class VtkRays
 {
 public:

@@ -35,7 +35,7 @@ T Read()
   return value;
 }
 
-/// Of the processor, for body(locator) with a locator that knows the element's bounds alone.
+/// Processor milliseconds of body(locator), with a locator that has only the elements' bounds.
 template <class Body>
 double Milliseconds(const Mesh& mesh, const Body& body)
 {

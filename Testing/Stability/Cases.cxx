@@ -211,7 +211,7 @@ void AddMixtures(Extent extent, Cases& cases)
     MeshBuilder mesh;
     for (const int exponent : exponents)
     {
-      // Apart from each other: each stands three of its own sizes away from the origin.
+      // The elements are apart: each is three of its own sizes away from the origin.
       const double size = std::pow(10.0, exponent);
       AddAffine(mesh, shape, Identity(), size, size * Vec3(3.0, 3.0, -3.0));
     }

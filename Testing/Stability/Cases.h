@@ -24,7 +24,7 @@ struct LocationCase
   std::function<Vec3(Random&)> outside;
 };
 
-/// How much of the sweeps is run: some values of each parameter, or all.
+/// The extent of the sweeps: some values of each parameter, or all.
 enum class Extent
 {
   Short,

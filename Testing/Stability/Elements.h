@@ -19,9 +19,9 @@ LongMat3 Product(const LongMat3& a, const LongMat3& b);
 void AddAffine(MeshBuilder& mesh, Shape shape, const LongMat3& matrix, double size,
   const Vec3& centre = Vec3(0.0));
 
-/// Adds the identity and random modes of all orders, the high ones halved from order to order. The
-/// Jacobian is within 0.3 of the identity, so the map is injective, on the shape enlarged by
-/// `reach` in eta.
+/// Adds the identity and random modes of all orders, whose size decreases by a factor of two with
+/// each order. The Jacobian is within 0.3 of the identity, so the map is injective on the shape
+/// enlarged by `reach` in eta.
 void AddPerturbed(MeshBuilder& mesh, const Space& space, double reach);
 
 /// Adds a map of order 3 whose determinant falls to `least` at xi1 = 0 and grows as xi1^2 on both

@@ -86,7 +86,7 @@ Vec3 PointOf(Shape shape, Random& random)
       eta[direction] = 1.0 - std::pow(10.0, random(-16.0, 0.0));
       xi = TensorToReference(shape, eta);
     }
-    // At a pyramid's apex there is no gradient.
+    // At a pyramid's apex the gradient is undefined.
     if (!(Margin(shape, ToQuad(xi)) < 0) && (shape != Shape::Pyramid || xi.z < 1.0))
     {
       return xi;
@@ -98,7 +98,8 @@ Vec3 PointOf(Shape shape, Random& random)
 std::array<double, 3> GradientMagnitude(
   const Space& space, const std::vector<double>& coefficients, const QuadVec3& xi)
 {
-  // One sum per mode would cost a square: random signs give the size as well.
+  // One sum per mode would cost the square of the number of modes; random signs give a similar
+  // size.
   Random random(5);
   std::array<double, 3> largest{};
   std::vector<double> signs(coefficients);

@@ -7,7 +7,7 @@
 
 namespace pixelexact::testing
 {
-/// How the coefficients of a field are chosen.
+/// The choice of a field's coefficients.
 enum class Coefficients
 {
   Equal,      ///< every mode weighs the same: the worst that an order can do

@@ -69,7 +69,7 @@ const double* LocationCheck::Component(std::size_t c) const
   return Elements.map.Coefficients(Element) + c * static_cast<std::size_t>(MapSpace.Modes());
 }
 
-/// Of y and of Phi's evaluation.
+/// The rounding of y and of Phi's evaluation.
 std::array<double, 3> LocationCheck::Rounding(const Vec3& xi, const QuadVec3& y) const
 {
   std::array<double, 3> rounding;
@@ -124,7 +124,8 @@ PointErrors LocationCheck::Measure(const Vec3& near, const Vec3& x, const FoundP
   const QuadVec3 y = ToUnits(Elements, Element, x);
   const auto rounding = Rounding(found.xi, y);
   const double curvature = Curvature(reference);
-  // What is left of the last correction, as if its Jacobian were a step of at most 1e-7 old.
+  // The remaining share of the last correction, for a Jacobian that is at most one step of 1e-7
+  // old.
   const double share = std::min(1.0, 1e-7 * curvature + 16.0 * kUnitRoundoff * errors.condition);
   const auto spread = Times(inverse, rounding);
   const QuadVec3 located = ToQuad(found.xi);
@@ -175,7 +176,7 @@ void LocationCheck::MeasureValue(
   }
 }
 
-/// Of Phi and y, as element-tree.md has it.
+/// The uncertainty of Phi and y, as in element-tree.md.
 std::array<double, 3> LocationCheck::Uncertainty() const
 {
   const auto [p, q, r] = MapSpace.order;

@@ -7,7 +7,7 @@
 
 namespace pixelexact::testing
 {
-/// What the locator and the field's evaluation say of a point.
+/// Results of the locator and of the field's evaluation at a point.
 struct FoundPoint
 {
   Verdict verdict;
@@ -17,7 +17,7 @@ struct FoundPoint
   double value;
 };
 
-/// How far off it is, and how far it may be; see LocationStudy.h.
+/// The errors of a point and their bounds; see LocationStudy.h.
 struct PointErrors
 {
   double condition = 0.0;
@@ -35,7 +35,7 @@ struct PointErrors
 class LocationCheck
 {
 public:
-  /// `box`: the element's, as the locator knows it.
+  /// `box`: the locator's box of the element.
   LocationCheck(const Mesh& mesh, int element, const Box3& box, const Field& field);
 
   /// `near`: a xi close to the point's preimage.

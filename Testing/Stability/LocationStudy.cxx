@@ -148,7 +148,8 @@ private:
     return found;
   }
 
-  /// Of the fast path, from the element's frame; where it does not converge, all that it may.
+  /// Counts the steps of the fast path, from the element's frame; the maximum where it does not
+  /// converge.
   void CountSteps(const std::vector<Vec3>& x)
   {
     const ElementBounds bounds = MakeElementBounds(Elements, Subject.element);

@@ -174,7 +174,7 @@ private:
     }
   }
 
-  /// One at l = i / n, zero at the multiples of 1 / n below it.
+  /// The factor that is one at l = i / n and zero at the smaller multiples of 1 / n.
   [[nodiscard]] Quad Factor(int i, Quad l) const
   {
     Quad product = 1;
@@ -269,7 +269,7 @@ Row StudyNodes(Shape shape, Nodes nodes, int order, int points)
         static_cast<double>(Magnitude(space, modes.data(), xi))
       };
     });
-  // Largest of all beside a vertex.
+  // The error is largest near a vertex.
   double worst = 0.0;
   for (const Measured& at : measured)
   {

@@ -81,7 +81,7 @@ constexpr Quad Max(Quad a, Quad b)
   return a.v < b.v ? b : a;
 }
 
-// What the evaluation templates ask of a number; see Lanes-inl.h.
+// Operations of a number type for the evaluation templates; see Lanes-inl.h.
 constexpr Quad MulAdd(Quad a, Quad b, Quad c)
 {
   return a.v * b.v + c.v;
@@ -90,7 +90,7 @@ constexpr Quad NegMulAdd(Quad a, Quad b, Quad c)
 {
   return c.v - a.v * b.v;
 }
-/// Not clamped: for points of the shape there is nothing to clamp.
+/// The quotient is not clamped, because points of the shape never need it.
 constexpr Quad CollapsedQuotient(Quad y, Quad t)
 {
   return t.v == 0 ? Quad(0) : y / t;

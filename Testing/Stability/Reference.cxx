@@ -143,8 +143,8 @@ QuadVec3 ToUnits(const Mesh& mesh, int element, const Vec3& x)
 QuadPreimage FindPreimage(const Mesh& mesh, int element, const Vec3& x, const QuadVec3& near)
 {
   constexpr int kMaxSteps = 200;
-  // Near a vanishing determinant convergence is linear at first, and its end is rounding times
-  // conditioning of Quad: far below what double can know.
+  // Near a vanishing determinant convergence is linear at first, and its limit is rounding times
+  // conditioning of Quad, far below the resolution of double.
   constexpr double kEnough = 1e-24;
   const QuadVec3 y = ToUnits(mesh, element, x);
   QuadPreimage result{ near, {}, {}, 1.0 };

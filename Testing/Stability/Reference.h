@@ -20,7 +20,7 @@ struct QuadSample
 QuadVec3 ToQuad(const Vec3& x);
 Vec3 ToDouble(const QuadVec3& x);
 
-/// One component. `xi` lies in the shape, or next to it.
+/// Evaluates one component. `xi` must be in the shape or near it.
 QuadSample Evaluate(const Space& space, const double* coefficients, const QuadVec3& xi);
 
 /// sum |c| |mode|: what rounding is measured by.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What the study measures, and how it is written.
+// The study's measurements, and their output.
 namespace pixelexact::testing
 {
 /// Largest errors of a set of points, and what they were allowed.
@@ -67,6 +67,6 @@ double InUlps(double error, double value);
 
 void WriteRows(const std::vector<Row>& rows, std::ostream& out);
 void WriteScatter(const std::vector<ScatterPoint>& points, std::ostream& out);
-/// One line per sweep and shape: the worst of its rows, in Markdown.
+/// Writes one line per sweep and shape, with the worst of its rows, in Markdown.
 void WriteSummary(const std::vector<Row>& rows, std::ostream& out);
 } // namespace pixelexact::testing

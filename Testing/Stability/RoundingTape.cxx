@@ -20,7 +20,7 @@ struct Operation
   double rounding; ///< bound of its error
 };
 
-/// Of the evaluation in progress, one per thread.
+/// The operations of the evaluation in progress, one list per thread.
 std::vector<Operation>& Tape()
 {
   thread_local std::vector<Operation> tape;

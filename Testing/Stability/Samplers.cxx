@@ -43,7 +43,7 @@ Vec3 NearCollapsed(Shape shape, double distance, Random& random)
   {
     Vec3 eta(random(-1.2, 1.2), random(-1.2, 1.2), random());
     eta = glm::clamp(eta, Vec3(-1.0), Vec3(1.0));
-    // Tetrahedra have a collapsed edge beside the vertex.
+    // Besides the vertex, tetrahedra have a collapsed edge.
     const bool vertex = shape != Shape::Tetrahedron || random() < 0.0;
     eta[vertex ? 2 : 1] = 1.0 - distance * random(0.5, 1.0);
     const Vec3 xi = TensorToReference(shape, eta);

@@ -3,7 +3,7 @@
 
 #include "MeshBuilder.h"
 
-// Where on an element the sweeps take their points.
+// Positions in an element from which the sweeps take points.
 namespace pixelexact::testing
 {
 /// A point of the shape: half of them in the volume, the others on faces, edges and vertices.

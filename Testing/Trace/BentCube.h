@@ -20,7 +20,7 @@ inline const std::vector<std::vector<Shape>> kMeshShapes{ { Shape::Hexahedron },
 inline const std::vector<double> kContourValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
 inline constexpr long double kValueTolerance = 1e-11L;
 
-/// Of degree 2, with saddles on planes and extrema on round surfaces.
+/// A polynomial of degree 2, with saddles on planes and extrema on round surfaces.
 inline long double Quadratic(const LongVec3& x)
 {
   const auto [a, b, c] = x;
@@ -36,7 +36,7 @@ inline std::array<LongVec3, 3> BendColumns(const LongVec3& u)
     { 0.05L - 0.06L * a * b, 0.09L * a, 1 + 0.03L * b * b } } };
 }
 
-/// What these columns have to be multiplied with to make r.
+/// The weights of these columns whose sum is r.
 inline LongVec3 Weights(const std::array<LongVec3, 3>& columns, const LongVec3& r)
 {
   const auto& [a, b, c] = columns;
@@ -68,8 +68,8 @@ struct BoundaryPoint
   LongVec3 u;
 };
 
-/// Where a ray meets the bent face u_axis = side, by Newton's iteration from a u; nothing where
-/// that leads nowhere.
+/// The intersection of a ray with the bent face u_axis = side, by Newton's iteration from a u;
+/// nothing where it does not converge.
 inline std::optional<BoundaryPoint> MeetFace(
   const LongRay& ray, int axis, long double side, const LongVec3& start)
 {
@@ -96,7 +96,7 @@ inline std::optional<BoundaryPoint> MeetFace(
   return std::nullopt;
 }
 
-/// Where a ray enters the bent cube first.
+/// The first entry of a ray into the bent cube.
 inline std::optional<BoundaryPoint> MeetBentCube(const LongRay& ray)
 {
   std::optional<BoundaryPoint> nearest;
@@ -104,7 +104,7 @@ inline std::optional<BoundaryPoint> MeetBentCube(const LongRay& ray)
   {
     for (const int side : { -1, 1 })
     {
-      // From where it meets the flat face, and from the middle.
+      // Starts at the intersection with the flat face, and at the middle.
       const long double t = (side - ray.origin[axis]) / ray.direction[axis];
       LongVec3 flat = Plus(ray.origin, Times(t, ray.direction));
       for (long double& one : flat)
@@ -165,7 +165,7 @@ public:
   Field field_;
 };
 
-/// Of what the first hits in the bent cube show.
+/// The true view of the first hits in the bent cube.
 inline Sight SightOf(const CameraView& view, int width, int height, const LongHits& hits,
   const std::function<long double(const LongVec3& x, const LongVec3& u)>& value)
 {

@@ -52,7 +52,7 @@ public:
     return { a + 0.2L * (1 - a * a) * b * c, b + 0.2L * (1 - b * b) * a, c };
   }
 
-  /// At most 13 in the cube, its gradient's numbers at most 8.
+  /// The value is at most 13 in the cube, the components of its gradient at most 8.
   static long double CurvedAt(const LongVec3& x)
   {
     return 1 + 2 * x[0] - 3 * x[1] + x[0] * x[0] - 2 * x[0] * x[1] + 3 * x[1] * x[2] + x[2] * x[2];
@@ -64,7 +64,7 @@ public:
     return scene_;
   }
 
-  /// With the field CurvedAt in the other one's place.
+  /// Replaces the field by CurvedAt.
   void MakeCurved()
   {
     field_ = Add(1, [](const LongVec3& x, long double* u) { u[0] = CurvedAt(x); });
@@ -123,7 +123,7 @@ inline LongRay RayThrough(
   const long double half = view.parallel
     ? static_cast<long double>(view.parallelScale)
     : std::tan(view.viewAngle * std::numbers::pi_v<long double> / 360);
-  // In half-heights of the image from its middle.
+  // The position in half-heights of the image from its middle.
   const long double aspect = static_cast<long double>(width) / height;
   const long double x = aspect * (2 * px / width - 1 + view.windowCenter[0]);
   const long double y = 2 * py / height - 1 + view.windowCenter[1];

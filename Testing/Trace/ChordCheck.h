@@ -17,10 +17,11 @@
 #include <optional>
 #include <vector>
 
-// How far surfaces are off chords, against hits of rays between and signs in long double.
+// Distances of surfaces from chords, compared with hits of rays between and with signs in long
+// double.
 namespace pixelexact::testing
 {
-/// How far x is from the segment.
+/// The distance of x from the segment.
 inline double DistanceTo(const Vec3& from, const Vec3& to, const Vec3& x)
 {
   const Vec3 along = to - from;
@@ -82,7 +83,7 @@ inline long double PassingAt(
   return Dot(normal, Minus(from, origin)) / Dot(normal, direction);
 }
 
-/// What was seen of some chords.
+/// Counts of checked chords.
 struct ChordTally
 {
   int chords = 0;
@@ -98,11 +99,11 @@ struct ChordTally
   }
 };
 
-/// Below 0 inside of a body.
+/// The function is negative inside a body.
 using LongSide = std::function<long double(const LongVec3& x)>;
 
-/// How far from the chord a ray meets the body's boundary nearest to it, up to `most`; infinite if
-/// it meets none so near.
+/// The distance from the chord of the nearest intersection of a ray with the body's boundary, up to
+/// `most`; infinite where there is none.
 inline long double NearestChange(
   const std::function<long double(long double off)>& side, long double most)
 {
@@ -128,8 +129,8 @@ inline long double NearestChange(
   return std::numeric_limits<long double>::infinity();
 }
 
-/// Between rays' first hits of a body: where the bound is known, `side` changes its sign along each
-/// ray between within the bound of the chord. Chords are from a millionth to a tenth long.
+/// Between rays' first hits of a body: where there is a bound, `side` changes its sign along each
+/// ray between within the bound of the chord. Chords are between a millionth and a tenth long.
 inline ChordTally CheckChords(
   const Surface& surface, const LongSide& side, unsigned seed, int count = 3000)
 {

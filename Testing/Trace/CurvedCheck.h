@@ -57,7 +57,7 @@ inline Vec3 RandomDirection(Random& random)
   }
 }
 
-/// Through a point from `away` before it.
+/// A ray through a point, starting `away` before it.
 inline Ray RayThroughPoint(Random& random, const Vec3& point, double away)
 {
   const Vec3 direction = RandomDirection(random);
@@ -80,7 +80,7 @@ inline double ResidualQuad(const Mesh& mesh, const Ray& ray, double t, int eleme
   return largest;
 }
 
-/// All faces with nothing behind them.
+/// All faces without a neighbour.
 inline std::vector<ElementFace> BoundaryOf(const ElementIndex& index)
 {
   const Mesh& mesh = index.GetMesh();

@@ -96,7 +96,7 @@ public:
     const Jet<Quad> jet = At(Quad(u), Quad(v));
     return glm::normalize(glm::cross(ToVec(jet.byU), ToVec(jet.byV)));
   }
-  /// How far a xi on the face is from its edges, in the parameters.
+  /// The distance of a xi on the face from its edges, in the parameters.
   [[nodiscard]] double MarginOf(const Vec3& xi) const
   {
     const Vec3 eta = ReferenceToTensorOf(xi);
@@ -115,8 +115,8 @@ public:
     return std::fabs(glm::dot(NormalAt(eta[Free()[0]], eta[Free()[1]]), ray.direction));
   }
 
-  /// All intersections with the line of a ray, also those just beyond the edges. Newton's iteration
-  /// begins at these xi, too: only what it proves counts.
+  /// All intersections with the line of a ray, also those just outside of the edges. Newton's
+  /// iteration also starts at the xi in `also`; only proven results count.
   [[nodiscard]] std::vector<PatchPoint> Meet(const Ray& ray, const std::vector<Vec3>& also) const
   {
     std::vector<PatchPoint> found;
@@ -131,7 +131,7 @@ public:
       const Vec3 off = to - glm::dot(to, ray.direction) * ray.direction;
       if (glm::length(off) <= ball.radius)
       {
-        // Two that are close to each other draw the iteration to either.
+        // Two roots that are close to each other attract the iteration to either.
         const double aside = 0.8 / Cells;
         for (const double a : { -aside, aside })
         {
@@ -310,7 +310,7 @@ private:
     return false;
   }
 
-  /// In long double as far as that leads, and on from there in 113 bits.
+  /// Iterates in long double as far as possible, and then in 113 bits.
   void Search(const Ray& ray, double startU, double startV, std::vector<PatchPoint>& found) const
   {
     long double nearU = startU;

@@ -48,8 +48,8 @@ public:
     }
     return p;
   }
-  /// Where the sign changes from `from` to `to`, in order; without the ends of those pieces on
-  /// which the polynomial is monotone, where it may touch zero.
+  /// The sign changes from `from` to `to`, in order, without the ends of those monotone intervals
+  /// where the polynomial may touch zero.
   [[nodiscard]] std::vector<long double> Roots(long double from, long double to) const
   {
     std::vector<long double> roots;
@@ -220,7 +220,7 @@ struct IsoPair
   std::unique_ptr<IsoSurface> iso;
 };
 
-/// What a ray meets in closed form.
+/// The hits of a ray in closed form.
 struct IsoTruth
 {
   std::vector<double> roots; ///< in the element

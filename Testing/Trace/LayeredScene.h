@@ -40,7 +40,7 @@ inline CameraView ObliqueView()
   return view;
 }
 
-/// Colours and opacities that tell most values apart.
+/// Colours and opacities that distinguish most values.
 inline ColorMap Striped(double step)
 {
   return [step](std::span<const double> values, std::uint8_t* rgba)

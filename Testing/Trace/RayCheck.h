@@ -12,10 +12,10 @@
 #include <algorithm>
 #include <vector>
 
-// Hits of rays with surfaces made of planes, against closed forms in long double.
+// Compares hits of rays with surfaces that consist of planes with closed forms in long double.
 namespace pixelexact::testing
 {
-/// Where a ray meets a surface.
+/// The true intersection of a ray with a surface.
 struct TrueHit
 {
   long double t;
@@ -38,8 +38,7 @@ struct LongPlane
   {
   }
 
-  /// A ray whose slope rounding may make zero, or of either sign, may be found to meet the plane
-  /// anywhere or nowhere.
+  /// For a ray whose slope rounding may make zero or of either sign, any hit or none is accepted.
   [[nodiscard]] TrueHit Meet(const Ray& ray) const
   {
     const LongVec3 direction = ToLong(ray.direction);
@@ -66,8 +65,8 @@ struct LongPlane
     return std::fabs(Dot(normal, Minus(x, origin)));
   }
 
-  /// How far from the plane a position on it may be: by the rounding of its coordinates, and of
-  /// what the normal makes of its distance from the plane's origin. Not by that of t.
+  /// A bound of a position's distance from the plane, from the rounding of its coordinates and of
+  /// the normal's product with its distance from the plane's origin, not from that of t.
   [[nodiscard]] long double DistanceError(const LongVec3& x) const
   {
     return offset + roundings * kUnitRoundoff * Dot(Absolute(normal), Absolute(Minus(x, origin))) +
@@ -75,8 +74,8 @@ struct LongPlane
   }
 };
 
-/// How far from the ray's point at t a position on the surface may be: by the rounding of every
-/// sum of coordinates on the way, which is also how far that point is from the surface.
+/// A bound of the distance of a position on the surface from the ray's point at t, from the
+/// rounding of all sums of coordinates. It also bounds the distance of that point from the surface.
 inline long double RayError(const Ray& ray, long double t, const LongVec3& origin)
 {
   constexpr long double kRoundings = 24.0L;
@@ -145,7 +144,8 @@ inline int ExpectHits(
   return certain;
 }
 
-/// A plane and rays that meet it, do not, or hardly do, of sizes and distances over many decades.
+/// A plane and rays that meet it, miss it, or nearly touch it, of sizes and distances over many
+/// decades.
 class RandomRays
 {
 public:
@@ -158,7 +158,7 @@ public:
   /// 10^least to 10^most, every decade alike.
   double Size(double least, double most) { return std::pow(10.0, random_(least, most)); }
 
-  /// From anywhere in any direction, or nearly along a plane with that normal.
+  /// A ray from anywhere in any direction, or nearly along a plane with that normal.
   Ray Near(const Vec3& through, const Vec3& normal)
   {
     const Vec3 origin = through + Vector(Size(-2.0, 8.0));

@@ -3,10 +3,10 @@
 
 #include "ChordCheck.h"
 
-// Neighbouring rays at places that are told, and how far from their chord a surface is along them.
+// Neighbouring rays at given places, and the distance of a surface from their chord along them.
 namespace pixelexact::testing
 {
-/// How far x is from the line through both, along a direction nearly in their plane.
+/// The distance of x from the line through both points, along a direction nearly in their plane.
 inline double DistanceAlong(const Vec3& from, const Vec3& to, const Vec3& direction, const Vec3& x)
 {
   const Vec3 chord = glm::normalize(to - from);

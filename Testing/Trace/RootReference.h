@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-// Where lines meet surfaces, from the surfaces' definitions in 113 bits.
+// Intersections of lines with surfaces, from the surfaces' definitions in 113 bits.
 namespace pixelexact::testing
 {
 __extension__ using Float128 = __float128;
@@ -78,8 +78,8 @@ inline Polynomial operator*(const Polynomial& a, const Polynomial& b)
   return result;
 }
 
-/// The real roots in order where the sign changes, and those of the derivative: between neighbours
-/// of these the polynomial is monotone.
+/// The real roots at which the sign changes, in order, and those of the derivative, between which
+/// the polynomial is monotone.
 struct RealRoots
 {
   std::vector<Float128> roots;
@@ -187,7 +187,7 @@ struct Definition
     return f(Values(), x);
   }
 
-  /// How far f at the ray's t moves when every number that it depends on moves by its own size.
+  /// The change of f at the ray's t when every number on which it depends changes by its own size.
   [[nodiscard]] Float128 Sensitivity(const Ray& ray, Float128 t) const
   {
     std::vector<Float128> values = Values();
@@ -196,7 +196,7 @@ struct Definition
     {
       x[static_cast<std::size_t>(d)] = ray.origin[d] + t * ray.direction[d];
     }
-    // Central differences: f is quadratic or nearly so over such a step.
+    // Central differences, because f is nearly quadratic over such a step.
     const auto change = [&](Float128& number, Float128 size) -> Float128
     {
       const Float128 kept = number;

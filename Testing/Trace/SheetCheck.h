@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-// What a ray sees of planes and spheres in a cube, from all their hits in long double; and frames
-// against it.
+// True views of planes and spheres in a cube, from all hits in long double, and comparison of
+// frames with them.
 namespace pixelexact::testing
 {
 inline constexpr Buffer kAllWithLayer = kAll | Buffer::Layer;
@@ -87,7 +87,7 @@ public:
       for (const long double t : found)
       {
         const LongVec3 x = Plus(ray.origin, Times(t, ray.direction));
-        // How far within the mesh and the half-spaces.
+        // The depth inside the mesh and the half-spaces.
         long double depth = std::min(1 - Largest(x), t);
         for (const auto& [a, b, c, d] : Traced.kept)
         {
@@ -137,7 +137,7 @@ private:
   std::vector<Meet> Met;
 };
 
-/// The sheets of a set of samples: the nearest, then those behind.
+/// The sheets of a set of samples: the nearest, then those behind it.
 inline std::vector<const SampleBuffers*> SheetsOf(const SampleBuffers& samples)
 {
   std::vector<const SampleBuffers*> sheets{ &samples };

@@ -33,7 +33,7 @@ inline void ExpectSameHits(const std::vector<Hit>& a, const std::vector<Hit>& b)
   }
 }
 
-/// What was seen: for the tests of the tests.
+/// Counts of the checks, for the tests of the tests.
 struct Tally
 {
   int certain = 0;            ///< rays whose number of hits no small change of the inputs changes
@@ -50,8 +50,9 @@ inline double UlpOf(double x)
   return std::nextafter(size, kNoHit) - size;
 }
 
-/// Compares the hits of a ray with those of the definition: as many, where a change of 4 ulp in any
-/// input does not change how many there are, and each at most 4 ulp(t) times its condition off.
+/// Compares the hits of a ray with those of the definition. Their number must be equal where a
+/// change of 4 ulp in any input does not change it, and each must be within 4 ulp(t) times its
+/// condition.
 template <class Function>
 void Compare(const Definition<Function>& truth, const Ray& ray, const Vec3& centre,
   const std::vector<Hit>& found, Tally& tally)
@@ -77,7 +78,7 @@ void Compare(const Definition<Function>& truth, const Ray& ray, const Vec3& cent
   {
     check(s);
   }
-  // What makes the leading coefficient vanish takes a root to infinity.
+  // A vanishing leading coefficient moves a root to infinity.
   for (const Float128 s : real.roots)
   {
     const Float128 t = t0 + s;
@@ -157,7 +158,7 @@ public:
   double Decades(double least, double most) { return std::pow(10.0, random_(least, most)); }
   double Sign() { return random_() < 0.0 ? -1.0 : 1.0; }
 
-  /// Through a point, from a distance.
+  /// A ray through a point, from a distance.
   Ray Through(const Vec3& x, double distance)
   {
     const double kind = random_();
@@ -170,8 +171,8 @@ public:
     return { x - distance * along, along };
   }
 
-  /// Through a point x of a surface, in the direction of its tangent plane or nearly so, and past
-  /// it at a height above or below.
+  /// A ray through a point x of a surface, nearly in the tangent plane's direction, that passes x
+  /// at a height above or below.
   Ray Grazing(const Vec3& x, const Vec3& normal, double height, double distance)
   {
     const LongVec3 inPlane = Cross(ToLong(normal), ToLong(Vector(1.0)));
@@ -183,8 +184,8 @@ private:
   Random random_;
 };
 
-/// Of one surface kind's rays: on the first instruction set compared with the definition, on the
-/// others with the first.
+/// Checks rays of one kind of surface: on the first instruction set against the definition, on the
+/// others against the first.
 class SurfaceCheck
 {
 public:
@@ -215,7 +216,7 @@ public:
     record("positionUlp", Seen.positionError);
   }
 
-  /// Those rays, and others that graze the surface at their hits. Many at once, and each alone.
+  /// Adds rays, and others that graze the surface at their hits; all together and each alone.
   template <class Function>
   void Add(const Surface& surface, const Definition<Function>& truth, std::vector<Ray> rays,
     const Vec3& centre, double size, RaysAbout& random)
@@ -264,7 +265,7 @@ private:
   Tally Seen;
 };
 
-/// Through, past and from within a round surface about a point.
+/// Rays through, past and from within a round surface about a point.
 inline std::vector<Ray> RoundRays(
   RaysAbout& random, const Vec3& centre, double radius, int count = 37)
 {
@@ -285,7 +286,7 @@ inline std::vector<Ray> RoundRays(
           random.Grazing(x, normal, random.Sign() * radius * random.Decades(-16.0, 0.0), far));
         break;
       default:
-        // From inside or from the surface itself.
+        // Rays from inside or from the surface itself.
         rays.push_back(
           { i % 2 == 0 ? x : centre + random.Vector(0.5 * radius), random.UnitVector() });
     }
@@ -293,7 +294,7 @@ inline std::vector<Ray> RoundRays(
   return rays;
 }
 
-/// What the Error says that make() throws.
+/// The message of the Error that make() throws.
 template <class Make>
 std::string MessageOf(const Make& make)
 {

@@ -12,8 +12,8 @@
 // All hits of rays with surfaces, in long double.
 namespace pixelexact::testing
 {
-/// Where a polynomial (constant first) changes its sign between two numbers, in order: between the
-/// places where its derivative does, by bisection.
+/// The sign changes of a polynomial (constant first) between two numbers, in order, by bisection
+/// between those of its derivative.
 inline std::vector<long double> FindRealRoots(
   const std::vector<long double>& p, long double from, long double to)
 {
@@ -86,7 +86,7 @@ inline LongHits TorusHits(const Vec3& centre, const Vec3& axis, double R, double
   };
 }
 
-/// Of the box |x|, |y|, |z| <= half.
+/// The hits of the box |x|, |y|, |z| <= half.
 inline LongHits BoxHits(double half)
 {
   return [h = static_cast<long double>(half)](const LongRay& ray)
@@ -104,7 +104,7 @@ inline LongHits BoxHits(double half)
   };
 }
 
-/// Of the parts' hits those at which `inside` changes.
+/// The parts' hits at which `inside` changes.
 inline LongHits BooleanHits(
   std::vector<LongHits> parts, std::function<bool(const LongVec3& x)> inside)
 {

@@ -64,7 +64,7 @@ public:
       GetParam().isDisc ? std::shared_ptr<const Surface>(sphere) : plane;
   }
 
-  /// Whether the ray through an image position meets what is there.
+  /// Whether the ray through an image position meets the scene.
   [[nodiscard]] static bool IsCovered(double px, double py)
   {
     const LongRay ray = RayThrough(GetParam().view, kWidth, kHeight, px, py);
@@ -141,7 +141,7 @@ TEST_P(Edges, ShowTheAreaThatIsCovered)
           squares += error * error;
           if (color[3] > 10)
           {
-            // Straight: the colour itself is not mixed with what is not there.
+            // The colour itself is not mixed with that of empty samples.
             EXPECT_NEAR(color[0], 200, 1);
             EXPECT_NEAR(color[1], 100, 1);
             EXPECT_NEAR(color[2], 50, 1);
@@ -150,7 +150,8 @@ TEST_P(Edges, ShowTheAreaThatIsCovered)
       }
       EXPECT_EQ(module.Refined(), split);
       EXPECT_GT(split, 60);
-      // On the whole it is much better than as many samples at random, 0.4 / sqrt(samples).
+      // On average the error is much smaller than for the same number of random samples, 0.4 /
+      // sqrt(samples).
       EXPECT_LT(std::sqrt(squares / split), 0.25 / std::sqrt(samples));
     }
   }
@@ -168,7 +169,7 @@ TEST_P(Edges, LeaveTheBuffersAlone)
   EXPECT_EQ(frame.counters.exact, plain.counters.exact);
   // Two tiles each way; 9 samples for each pixel that is refined.
   EXPECT_EQ(frame.counters.rays, kWidth * kHeight + (33 + 6) * (33 + 4) + 9 * module.Refined());
-  // One sample, in the middle: the same image.
+  // One sample in the middle gives the same image.
   Antialiasing one(1);
   const Frame same = Trace(block.scene_, camera, { { &colors }, { &one } });
   EXPECT_EQ(same.Image(), plain.Image());
@@ -254,7 +255,7 @@ TEST(Antialiasing, WithoutColoursOrSamples)
   EXPECT_EQ(module.Refined(), 0);
 }
 
-/// Whatever the colours read is there for the samples between the centres, too.
+/// All buffers that the colours read also exist for samples between the centres.
 TEST(Antialiasing, AsksForWhatTheColoursNeed)
 {
   const LayeredScene scene(false);

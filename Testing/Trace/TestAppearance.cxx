@@ -102,7 +102,7 @@ TEST(Appearance, GroupsHaveTheRangeOfTheValuesThatTheirLayersShow)
   made.appearance.layers[1].rangeGroup = 1;
   EXPECT_EQ(made.RangeOf(0), (Ends{ -0.5, 0.75 }));
   EXPECT_EQ(made.RangeOf(1), (Ends{ 0.25, 2.0 }));
-  // What is in one colour counts where its contours follow from the range.
+  // A layer in one colour counts where the range determines its contours.
   made.appearance.layers[0].solid = Rgba{ 1, 2, 3, 255 };
   EXPECT_EQ(made.RangeOf(2), (Ends{ 0.125, 0.5 }));
   made.appearance.layers[0].contours.count = 2;

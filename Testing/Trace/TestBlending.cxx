@@ -63,7 +63,7 @@ TEST(Blending, SheetsLieOverEachOther)
       for (std::size_t i = 0; i < 4 * kCount; ++i)
       {
         const double kind = random(0.0, 1.0);
-        // Many that are opaque or not there.
+        // Many samples are opaque or empty.
         sheet.color.push_back(i % 4 == 3 && kind < 0.3
             ? (kind < 0.15 ? 0 : 255)
             : static_cast<std::uint8_t>(random(0.0, 256.0)));
@@ -88,7 +88,7 @@ TEST(Blending, SheetsLieOverEachOther)
   }
 }
 
-/// From the colour map to the image: opacities of layers, times those of their maps.
+/// From the colour map to the image: opacities of layers times those of their maps.
 TEST(Blending, OfTranslucentLayers)
 {
   const LayeredScene scene(true);
@@ -192,7 +192,7 @@ TEST(SampleBuffers, AreThereWhenAskedFor)
   EXPECT_TRUE(samples.value.empty());
 }
 
-/// Traced frames have what was asked for and no more, on all sheets.
+/// Traced frames contain exactly the requested buffers, on all sheets.
 TEST(SampleBuffers, OfFramesAreThoseThatWereAskedFor)
 {
   const LayeredScene scene(true);

@@ -124,7 +124,7 @@ TEST(Camera, RefusesWhatIsNoCamera)
 
 namespace
 {
-/// Keeps the rays that it is asked about.
+/// A surface that records its rays.
 class Listening final : public Surface
 {
 public:
@@ -144,7 +144,7 @@ public:
 };
 } // namespace
 
-/// The tiles' rays are the ones that everybody else is told of.
+/// The tiles' rays are bitwise those of the camera.
 TEST(TileSamples, RaysAreTheCamerasBitForBit)
 {
   CameraView view = Straight();

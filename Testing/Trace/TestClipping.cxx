@@ -48,7 +48,7 @@ CameraView MakeClippedView(bool parallel)
 
 KeptHalfSpace RandomHalfSpace(Random& random)
 {
-  // Of any length; most of the cube is kept.
+  // The normal has any length; most of the cube is kept.
   const double size = std::pow(10.0, random(-3.0, 3.0));
   const Vec3 normal(random(), random(), random());
   return { size * normal.x, size * normal.y, size * normal.z, size * random(0.0, 1.2) };
@@ -135,7 +135,7 @@ TEST(Clipping, NothingIsLeft)
   EXPECT_GT(all.WithDepth(2), 200);
 }
 
-/// The camera sees into the sphere, whose near half is away.
+/// The camera sees into the sphere, whose near half is clipped away.
 TEST(Clipping, AHollowSphereShowsItsFarHalf)
 {
   const Vec3 centre(0.1, -0.1, 0.05);
@@ -173,7 +173,7 @@ TEST(Clipping, AHollowSphereShowsItsFarHalf)
         {
           ++seen;
           EXPECT_NEAR(frame.centres.depth[at], static_cast<double>(far), 1e-13);
-          // It faces the camera from within.
+          // The normal faces the camera from inside.
           const Vec3& normal = frame.centres.normal[at];
           EXPECT_NEAR(
             std::fabs(static_cast<double>(Dot(ToLong(normal), Unit(position)))), 1.0, 1e-12);
@@ -185,9 +185,9 @@ TEST(Clipping, AHollowSphereShowsItsFarHalf)
   }
 }
 
-/// Beside a curved surface, which no ray meets, rays are clipped to the mesh's box; what they see
-/// of a plane is the same to the bit, also at the mesh's border and from where a rounding is a
-/// pixel.
+/// Next to a curved surface that no ray meets, rays are clipped to the mesh's box. Their samples of
+/// a plane are bitwise the same, also at the mesh's border and at a distance at which a rounding is
+/// a pixel.
 TEST(Clipping, ToTheMeshsBoxLosesNothingOfAPlane)
 {
   Block block;
@@ -195,7 +195,7 @@ TEST(Clipping, ToTheMeshsBoxLosesNothingOfAPlane)
   Scene beside = plane;
   beside.layers.push_back(
     { std::make_shared<Quadric>(MakeSphere({ 0.0, 0.0, -50.0 }, 1.0)), &block.field_ });
-  // On a face of the cube, and at one of its edges.
+  // The plane touches a face of the cube, or one of its edges.
   for (const Vec3& border : { Vec3(1.0, 0.3, -0.06), Vec3(-1.0, 1.0, 0.0) })
   {
     for (const double distance : { 5.0, 1e4, 1e8 })

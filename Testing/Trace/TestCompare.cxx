@@ -80,7 +80,7 @@ TEST(LinearSurface, LinearValuesComeBackInEachPixel)
         const double offset = corners ? 0.0 : 0.5;
         const Ray ray = camera.At(static_cast<double>(k % static_cast<std::size_t>(width)) + offset,
           static_cast<double>(k / static_cast<std::size_t>(width)) + offset);
-        // Where the ray is in the plane z = x / 2.
+        // The intersection of the ray with the plane z = x / 2.
         const double t =
           (slope * ray.origin.x - ray.origin.z) / (ray.direction.z - slope * ray.direction.x);
         const Vec3 x = ray.origin + t * ray.direction;

@@ -28,7 +28,7 @@ void Certify(ContourCertifier& certifier, const Scene& scene, const CameraView& 
   Trace(scene, Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
 }
 
-/// On planes hardly any; on curved surfaces some near silhouettes.
+/// On planes hardly any pixel is undecided; on curved surfaces some are, near silhouettes.
 void ExpectFewUndecided(const ContourCertifier& certifier, bool isFlat)
 {
   const ContourCounters& counters = certifier.Counters();
@@ -110,7 +110,7 @@ std::vector<std::uint8_t> VerdictsOf(
   return certifier.Verdicts();
 }
 
-/// Of the block, in which z = 0 is a face between elements.
+/// The true view of the block, in which z = 0 is a face between elements.
 Sight BlockSight(const CameraView& view, const LongHits& hits,
   const std::function<long double(const LongVec3& x)>& value)
 {
@@ -131,7 +131,8 @@ Sight BlockSight(const CameraView& view, const LongHits& hits,
 }
 } // namespace
 
-/// The plane z = 0 between two layers of elements; saddles and extrema in it, on element edges too.
+/// The plane z = 0 between two layers of elements, with saddles and extrema in it, also on element
+/// edges.
 TEST(ContourCertifier, NoVerdictIsWrongAlongFaces)
 {
   const Vec3 normal(0.0, 0.0, 1.0);
@@ -300,7 +301,7 @@ TEST(ContourCertifier, PlateausOnPlanesAreIn)
   }
 }
 
-/// What is not finite has no values, and takes none from its neighbours.
+/// Values that are not finite give no contours, and do not affect those of neighbours.
 TEST(ContourCertifier, NanElementsTakeNoValue)
 {
   BentCube cube(kHexahedra);
@@ -393,7 +394,7 @@ TEST(ContourCertifier, MagnitudesAreProven)
   EXPECT_GT(in, 20);
 }
 
-/// Of surfaces that are searched for, nothing is known between two hits.
+/// On searched surfaces nothing is known between two hits.
 TEST(ContourCertifier, SearchedSurfacesAreUndecidedWhereShown)
 {
   Block block;
@@ -486,7 +487,8 @@ TEST(ContourCertifier, VerdictsDependOnNothingElse)
     for (const int size : { 1, 7, 20 })
     {
       tiled.Begin(kVerdictWidth, kVerdictHeight);
-      // As pipelines do; small tiles have small shares of the work, and get the rest in the end.
+      // Runs both passes, as pipelines do: small tiles have small shares of the work, and get the
+      // remaining work in the second pass.
       for (FrameModule* const module : { static_cast<FrameModule*>(&tiled), tiled.Rest() })
       {
         const std::vector<FrameModule*> modules{ module };

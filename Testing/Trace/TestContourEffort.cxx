@@ -27,7 +27,7 @@ struct EffortResult
   ContourCounters counters;
 };
 
-/// Of what a frame of these scenes takes a part, and hardly anything.
+/// Budgets that are a part of a frame's need, and nearly nothing.
 constexpr std::int64_t kSome = 12'000'000;
 constexpr std::int64_t kLittle = 3'600'000;
 
@@ -111,7 +111,7 @@ TEST(ContourEffort, HardTilesGetWhatOthersLeave)
     work += work / 4;
   }
   EXPECT_EQ(CertifyWithin(scene, work, nullptr).verdicts, usual.verdicts);
-  // Without what others left some tiles have too little of it.
+  // Without the remaining work of other tiles some tiles have a too small budget.
   ContourCertifier certifier = CertifierWith(work, nullptr);
   const Pipeline pipeline{ {}, { &certifier } };
   ASSERT_EQ(pipeline.Runs().size(), 3U);
@@ -155,7 +155,7 @@ TEST(ContourEffort, PassesReportTheSame)
   }
 }
 
-/// Pixels that are settled stay so, and are not asked about again.
+/// Decided pixels stay decided, and are not evaluated again.
 TEST(ContourEffort, TilesGoOnWhereTheyEnded)
 {
   const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
@@ -216,7 +216,7 @@ TEST(ContourEffort, CanBeEndedInHardTiles)
   ASSERT_EQ(std::ssize(told), 3 * kTiles);
   EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_EQ(told.back(), 1.0);
-  // Among those that are visited again.
+  // Tiles of the second pass.
   traced(kTiles + 2);
   EXPECT_EQ(std::ssize(told), kTiles + 2);
 }
@@ -236,7 +236,7 @@ TEST(ContourEffort, WorkIsSpentOnceForEachNode)
   EXPECT_TRUE(work.Affords(nodes[1], 10));
   work.Spend(60);
   EXPECT_FALSE(work.IsLeft());
-  // Nor is what has been paid for looked at any more.
+  // An exhausted budget affords nothing, not even a node that was paid for.
   EXPECT_FALSE(work.Affords(nodes[0], 40));
 }
 

@@ -36,7 +36,7 @@ ContourCounters ClassifyAndCheck(
 
 namespace
 {
-/// Of the bent cube: from this view one of them hides parts of another.
+/// The number of the bent cube's face at u. In this view one face hides parts of another.
 std::size_t FaceOf(const LongVec3& u)
 {
   std::size_t face = 0;
@@ -81,7 +81,7 @@ TEST(ContourFaces, NoVerdictOnABoundaryIsWrong)
 
 namespace
 {
-/// What is seen of octants of the bent cube, by the signs of u: each face is a sheet.
+/// The true view of octants of the bent cube, by the signs of u: each face is a sheet.
 std::optional<TrueSight> SeeOctants(const LongRay& ray, std::span<const int> octants)
 {
   std::optional<TrueSight> seen;
@@ -123,8 +123,8 @@ std::optional<TrueSight> SeeOctants(const LongRay& ray, std::span<const int> oct
 }
 } // namespace
 
-/// Four octants that share edges alone: faces in front of others, on which the field has other
-/// values. Rays beside silhouettes show none between.
+/// Four octants that share only edges: faces in front of others, on which the field has other
+/// values. Rays near silhouettes show no value between.
 TEST(ContourFaces, SilhouettesBeforeOtherSheetsAreSettled)
 {
   const std::vector<int> octants{ 0, 3, 5, 6 };
@@ -184,8 +184,8 @@ TEST(ContourFaces, NoVerdictOnAnIsoSurfaceIsWrong)
 
 namespace
 {
-/// Of a scene with one value: pixels that show the surface at a corner are in, few are undecided,
-/// and little is spent on it.
+/// Checks a scene with one value: pixels that show the surface at a corner are in, few are
+/// undecided, and little work is used.
 void ExpectInWhereShown(const Scene& scene, double value)
 {
   const Camera camera(FromAfar(false), kVerdictWidth, kVerdictHeight);
@@ -217,8 +217,8 @@ void ExpectInWhereShown(const Scene& scene, double value)
 }
 } // namespace
 
-/// A wall on which the solution is prescribed: it is the value up to rounding there, and differs
-/// right behind.
+/// A wall with a prescribed solution: the field has the value up to rounding there, and differs
+/// directly behind.
 TEST(ContourFaces, WallsWithTheValueAreIn)
 {
   for (const auto& shapes : kMeshShapes)

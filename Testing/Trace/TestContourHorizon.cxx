@@ -25,7 +25,7 @@ ContourCounters CertifyPlane(const CameraView& view, const ContourMethod& method
   return certifier.Counters();
 }
 
-/// From beside the cube, low above the plane: a third of the image is sky.
+/// A view from outside the cube, low above the plane, with a third of the image empty.
 CameraView OverThePlane()
 {
   CameraView view;
@@ -68,7 +68,7 @@ TEST(ContourHorizon, WhatIsBehindAParallelEyeIsOut)
   view.parallelScale = 1.5;
   const ContourCounters counters = CertifyPlane(view);
   EXPECT_GT(counters.in, 50);
-  // Where the plane passes the eye between pixels.
+  // Undecided pixels lie along the horizon of the plane.
   EXPECT_LE(counters.undecided, 10);
 }
 

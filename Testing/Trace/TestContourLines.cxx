@@ -46,8 +46,8 @@ struct Contours
 
 using OnImage = std::function<long double(long double px, long double py)>;
 
-/// How far an image position is from a contour of a smooth function, by steps along its gradient;
-/// infinite where they do not end there.
+/// The distance of an image position from a contour of a smooth function, by steps along its
+/// gradient; infinite where the steps do not converge.
 long double DistanceToContour(const OnImage& f, long double value, long double px, long double py)
 {
   constexpr long double kStep = 1e-5L;
@@ -57,7 +57,7 @@ long double DistanceToContour(const OnImage& f, long double value, long double p
   {
     const long double gx = (f(x + kStep, y) - f(x - kStep, y)) / (2 * kStep);
     const long double gy = (f(x, y + kStep) - f(x, y - kStep)) / (2 * kStep);
-    // To the tangent at the place, from the point itself: its foot.
+    // The foot of the point on the tangent at the current place.
     const long double g2 = gx * gx + gy * gy;
     const long double s = (value - f(x, y) + gx * (x - px) + gy * (y - py)) / g2;
     const long double nx = px + s * gx;
@@ -110,7 +110,7 @@ struct CoverTally
   double worst = 0.0;
 };
 
-/// Of pixels about which, some pixels far and in the image, the field is seen.
+/// Counts pixels whose neighbourhood of `away` pixels in the image shows the field.
 CoverTally CompareCover(const Frame& frame, const OnImage& f, double value, double width, int away)
 {
   CoverTally tally;
@@ -156,7 +156,7 @@ TEST(ContourLines, OfALinearFieldHaveTheirWidthAndPlace)
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
   constexpr int kSize = 60;
   const ColorMapping colors = MakeWhite();
-  // Of x + 10 y + 100 z, by image position.
+  // The field x + 10 y + 100 z by image position.
   const OnImage f = [](long double px, long double py)
   {
     const long double x = (2 * px / kSize - 1) * 1.25L;
@@ -213,7 +213,8 @@ TEST(ContourLines, OfAQuadraticFieldCoverWhatIsNear)
   }
 }
 
-/// Not near an extremum beyond which the value lies, though a straight line would lead there.
+/// No line is drawn near an extremum that does not reach the value, although linear interpolation
+/// would give one.
 TEST(ContourLines, AreNotDrawnWhereTheValueIsNotReached)
 {
   Block block;
@@ -253,7 +254,7 @@ TEST(ContourLines, EndWhereValuesAreNoNumbers)
   EXPECT_EQ(frame.Image(), Trace(scene, ViewAlongZ(40, 40), { { &colors }, {} }).Image());
 }
 
-/// Where a plane and a sphere meet, values jump from one to the other.
+/// At the intersection of a plane and a sphere, values jump between the two.
 TEST(ContourLines, EndWhereAnotherLayerBegins)
 {
   Block block;
@@ -268,7 +269,7 @@ TEST(ContourLines, EndWhereAnotherLayerBegins)
   const Frame frame = Trace(scene.Traced, camera, contours.On(colors));
   for (std::size_t i = 0; i < frame.centres.Size(); ++i)
   {
-    // What the verdict says of them is the certifier's.
+    // The verdicts of these pixels are tested with the certifier.
     if (contours.certifier.Verdicts()[i] == static_cast<std::uint8_t>(ContourVerdict::Out))
     {
       EXPECT_EQ(frame.color[4 * i], frame.centres.color[4 * i]) << i;
@@ -276,8 +277,8 @@ TEST(ContourLines, EndWhereAnotherLayerBegins)
   }
 }
 
-/// Of a surface that hides a part of itself: the value is between those of the two parts, and on
-/// none of what is seen.
+/// A surface that hides a part of itself: the value is between those of the two parts, and on no
+/// visible part.
 TEST(ContourLines, EndWhereASheetBegins)
 {
   Block block;
@@ -295,18 +296,18 @@ TEST(ContourLines, EndWhereASheetBegins)
         std::vector{ ball({ 0.0, 0.0, 0.6 }, 0.3), ball({ 0.2, 0.1, -0.6 }, 0.35) }, any),
       &along });
   const ColorMapping colors = MakeWhite();
-  // What is seen of the nearer one is above 0.6, and of the other one below -0.25.
+  // Visible values of the nearer surface are above 0.6, those of the other one below -0.25.
   Contours contours({ 0.0, 0.3 }, 4.0);
   const Frame frame = Trace(scene, ViewAlongZ(90, 90, 0.6), contours.On(colors));
   for (std::size_t i = 0; i < frame.centres.Size(); ++i)
   {
-    // What the verdict says of the others is the certifier's.
+    // The verdicts of the other pixels are tested with the certifier.
     if (contours.certifier.Verdicts()[i] == static_cast<std::uint8_t>(ContourVerdict::Out))
     {
       EXPECT_EQ(frame.color[4 * i], frame.centres.color[4 * i]) << i;
     }
   }
-  // No ray of a strip that crosses the silhouette meets a value.
+  // On a strip that crosses the silhouette no ray meets the value.
   EXPECT_EQ(contours.certifier.Counters().undecided, 0);
   EXPECT_EQ(contours.certifier.Counters().in, 0);
 }
@@ -317,7 +318,7 @@ TEST(ContourLines, HaveColorsByValue)
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
   const ColorMapping colors = MakeWhite();
   ContourCertifier certifier(OnOneLayer({ 14.0, 6.0 }));
-  // In ascending order.
+  // Values are in ascending order.
   ContourLines lines(certifier, { .width = 3.0 }, { { kRed, kGreen } });
   const Frame frame = Trace(scene, ViewAlongZ(50, 50), { { &colors }, { &certifier, &lines } });
   const auto at = [&](double y)
@@ -332,7 +333,7 @@ TEST(ContourLines, HaveColorsByValue)
   EXPECT_EQ(at(0.0), (Rgba{ 255, 255, 255, 255 }));
 }
 
-/// Without a colour map lines are all that there is.
+/// Without a colour map only lines are drawn.
 TEST(ContourLines, AreOpaqueOverNothing)
 {
   Block block;
@@ -349,7 +350,7 @@ TEST(ContourLines, AreOpaqueOverNothing)
   EXPECT_EQ(frame.color[4 * (25 * 50 + 25) + 3], 255);
 }
 
-/// What a pixel that is in shows can be seen, however narrow the line.
+/// A pixel with the verdict in shows a line, however narrow it is.
 TEST(ContourLines, AreSeenInEveryPixelThatIsIn)
 {
   Block block;
@@ -364,7 +365,7 @@ TEST(ContourLines, AreSeenInEveryPixelThatIsIn)
     if (contours.certifier.Verdicts()[i] == static_cast<std::uint8_t>(ContourVerdict::In))
     {
       ++in;
-      // Where a pixel beyond the mesh had no colour, too.
+      // The line is also visible where a pixel outside of the mesh has no colour.
       EXPECT_TRUE(frame.color[4 * i] < 255 && frame.color[4 * i + 3] > 0) << i;
     }
   }
@@ -465,7 +466,7 @@ TEST(ContourLines, DoNotDependOnTilesAndThreads)
       }
     }
     EXPECT_EQ(again.Image(), frame.Image());
-    // With corners that the frame keeps, and pass by pass.
+    // With corners that the frame keeps, and in passes.
     const Buffer kept = pipeline.Needs().corners;
     EXPECT_EQ(Trace(scene.scene_, camera, pipeline, { .corners = kept }).Image(), frame.Image());
     ProgressiveFrame passes(scene.scene_, camera, pipeline, Buffer::None, kept);
@@ -501,7 +502,7 @@ TEST(ContourLines, AreRepaintedWithoutRays)
     besides += others.certifier.Counters().samples;
     EXPECT_EQ(frame.Image(), Trace(scene, camera, others.On(colors)).Image());
   }
-  // What the verdicts take, and no more.
+  // Exactly the rays that the verdicts need are traced.
   EXPECT_EQ(frame.counters.rays, before + besides);
   EXPECT_LT(besides, before / 20);
 }
@@ -513,7 +514,7 @@ TEST(ContourLines, RefuseWhatTheyCannotDraw)
   const ColorMapping colors = MakeWhite();
   Frame frame = Trace(scene, ViewAlongZ(20, 20), { { &colors }, {} });
   Contours contours({ 1.0 });
-  // Without corners, and nothing to trace them in.
+  // Without corners, and without a scene to trace them.
   EXPECT_THROW(Repaint(contours.On(colors), frame), Error);
   const ContourCertifier certifier(OnOneLayer({ 1.0, 2.0 }));
   for (const double width : { 0.0, 0.05, 33.0, std::nan("") })
@@ -523,7 +524,7 @@ TEST(ContourLines, RefuseWhatTheyCannotDraw)
   EXPECT_THROW(ContourLines(certifier, {}, {}), Error);
   EXPECT_THROW(ContourLines(certifier, {}, { { kBlack, kRed, kGreen } }), Error);
   EXPECT_NO_THROW(ContourLines(certifier, {}, { { kBlack, kRed } }));
-  // One list of values for two layers, and three.
+  // One list of values for two layers, and three lists, are refused.
   const LayeredScene layered(false);
   const ColorMapping ofLayers = LayeredColors();
   for (const std::size_t lists : { 1U, 3U })

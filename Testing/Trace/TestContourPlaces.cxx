@@ -16,7 +16,7 @@ constexpr int kSize = 200;
 /// Half the view's height; a pixel is 0.0125 wide.
 constexpr double kScale = 1.25;
 
-/// A frame of the plane z = 0.1 by the block's field, and what is known of its contours.
+/// A frame of the plane z = 0.1 by the block's field, and its contours.
 struct Placed
 {
   Placed(Block& block, const std::vector<double>& values)
@@ -59,7 +59,7 @@ TEST(ContourPlaces, AreOnTheContourAndAlongIt)
     const double angle = place.angle * std::numbers::pi / 180.0;
     const glm::dvec2 along(std::cos(angle), std::sin(angle));
     EXPECT_LE(std::fabs(place.angle), 90.0);
-    // Along the text the contour is nowhere farther from its middle line than a part of its height.
+    // Along the text the contour is never farther from its middle line than a part of its height.
     for (const double part : { -0.5, -0.25, 0.0, 0.25, 0.5 })
     {
       const glm::dvec2 at = place.centre + part * size.width * along;
@@ -91,11 +91,11 @@ TEST(ContourPlaces, AreApart)
   }
 }
 
-/// A text would hide the lines beside its own.
+/// Labels are left out where a text would hide neighbouring lines.
 TEST(ContourPlaces, AreNotWhereContoursAreClose)
 {
   Block block;
-  // Of x + 10 y + 100 z: a pixel up is 0.125.
+  // For the field x + 10 y + 100 z a pixel up is 0.125.
   const Placed wide(block, { 6.0, 10.0 });
   EXPECT_GT(wide.Labels({ 24.0, 10.0 }).size(), 1U);
   Block again;

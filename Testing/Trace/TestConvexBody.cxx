@@ -14,7 +14,7 @@ namespace
 const auto kPlane = [](const std::vector<Float128>& in, const auto& x)
 { return DotWith(Less(x, in.data()), in.data() + 3); };
 
-/// One half-space behind a map, row by row, and its offset.
+/// One half-space after a map, row by row, and its offset.
 const auto kMovedPlane = [](const std::vector<Float128>& in, const auto& x)
 {
   std::decay_t<decltype(x)> y;
@@ -25,7 +25,7 @@ const auto kMovedPlane = [](const std::vector<Float128>& in, const auto& x)
   return kPlane(in, y);
 };
 
-/// Where a ray enters or leaves.
+/// The entry or exit of a ray.
 struct End
 {
   Float128 t;
@@ -34,7 +34,7 @@ struct End
   Float128 gap; ///< to the next one
 };
 
-/// What a ray meets by the definition; whether that is certain.
+/// The hits of a ray by the definition, and whether they are certain.
 struct TrueHits
 {
   std::vector<End> ends;
@@ -91,7 +91,7 @@ TrueHits HitsByDefinition(const std::vector<Definition<Function>>& planes, const
 class BodyCheck
 {
 public:
-  /// Those rays, and others nearly in the faces that they meet.
+  /// Adds rays, and others nearly in the faces that they meet.
   template <class Function>
   void Add(const ConvexBody& body, const std::vector<Definition<Function>>& planes,
     const std::vector<Ray>& rays, double size, RaysAbout& random)
@@ -149,14 +149,14 @@ private:
       const Float128 x = ray.origin[d] + truth.t * ray.direction[d];
       EXPECT_LE(Size(hit.position[d] - x), 2 * truth.error + 2.0 * UlpOf(hit.position[d]));
     }
-    // On the face: by the rounding of its coordinates, not by that of t.
+    // The position is on the face up to the rounding of its coordinates, not that of t.
     const Definition<Function>& plane = planes[face];
     const Ray at{ hit.position, Vec3(0.0) };
     const Float128 off = Size(plane.Along(at, 0).c[0]);
     EXPECT_LE(off, 4.0 * std::numeric_limits<double>::epsilon() * plane.Sensitivity(at, 0));
     if (truth.gap > 0)
     {
-      // Without its piece, too: the other faces are some errors away.
+      // The same without its piece, because the other faces are some errors away.
       const Polynomial across = plane.Along({ Vec3(0.0), body.Normal({ hit.position }) }, 0);
       EXPECT_GT(across.c[1], 0);
     }
@@ -281,7 +281,7 @@ TEST(ConvexBody, BoxIsEnteredAndLeft)
   EXPECT_EQ(hits[1].position, Vec3(1.0, 0.5, 0.25));
   EXPECT_EQ(box.Normal({ hits[0].position }), -right);
   EXPECT_EQ(box.Normal({ hits[1].position }), right);
-  // From inside, beside it, along a face and along an edge, through two edges, before and beyond.
+  // From inside, outside, along a face and along an edge, through two edges, before and after.
   EXPECT_EQ(HitsOf(box, { Vec3(0.0), right }).size(), 1U);
   EXPECT_TRUE(HitsOf(box, { { -4.0, 2.5, 0.0 }, right }).empty());
   EXPECT_EQ(HitsOf(box, { { -4.0, 2.0, 0.0 }, right }).size(), 2U);
@@ -290,7 +290,7 @@ TEST(ConvexBody, BoxIsEnteredAndLeft)
   EXPECT_EQ(HitsOf(box, { { -4.0, 0.0, 0.0 }, right }, 1.0, 4.0).size(), 1U);
   EXPECT_TRUE(HitsOf(box, { { -4.0, 0.0, 0.0 }, right }, 3.5, 4.5).empty());
   EXPECT_TRUE(HitsOf(box, { { 4.0, 0.0, 0.0 }, right }).empty());
-  // At an edge only, once.
+  // The ray meets an edge only, once.
   const double h = std::sqrt(0.5);
   const ConvexBody cube = MakeBox(Vec3(-1.0), Vec3(1.0));
   EXPECT_EQ(HitsOf(cube, { { -2.0, 0.0, 0.0 }, { h, h, 0.0 } }).size(), 1U);

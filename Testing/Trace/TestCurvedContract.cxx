@@ -95,7 +95,7 @@ void ExpectSamePoints(
   }
 }
 
-/// Of each ray alone.
+/// The hits of each ray traced alone.
 std::vector<std::vector<PointHit>> OneByOne(
   const Surface& surface, const std::vector<Ray>& rays, bool nearestOnly = false)
 {
@@ -130,7 +130,7 @@ TEST(CurvedContract, HitsDependOnTheirRayAlone)
   }
 }
 
-/// Of a bundle about a diagonal, where it is a matter of one bit along which axis a ray runs.
+/// Bundles about a diagonal, where one bit decides along which axis a ray runs.
 TEST(CurvedContract, HitsOfRaysAboutDiagonals)
 {
   const Curves curves(Shape::Hexahedron);
@@ -263,7 +263,7 @@ TEST(CurvedContract, RaysAlongAxes)
   }
 }
 
-/// Across the ray the hits are where the given numbers say; along it t is a double.
+/// Across the ray the errors are bounded by the given numbers; along it t is a double.
 TEST(CurvedContract, FromFarAway)
 {
   const Curves curves(Shape::Hexahedron);
@@ -303,8 +303,8 @@ TEST(CurvedContract, FromFarAway)
   }
 }
 
-/// Of faces and iso-surfaces: a ray that may spend nothing alone has the hits of one that may, up
-/// to the first that is undecided.
+/// For faces and iso-surfaces: a ray without a work budget of its own has the hits of one with a
+/// budget, up to the first undecided one.
 TEST(CurvedContract, NearlyTangentRaysWithoutWorkAreUndecided)
 {
   for (const Shape shape : kShapes)

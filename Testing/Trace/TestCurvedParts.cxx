@@ -53,7 +53,7 @@ TEST_F(CurvedParts, ARayMakesThoseThatItComesNear)
   // The same ray makes nothing more.
   EXPECT_EQ(HitsOf(iso, kDown).size(), 1U);
   EXPECT_EQ(iso.PiecesMade(), pieces);
-  // One that passes by, nothing at all.
+  // A ray that misses the surface creates no parts.
   const IsoSurface other = Iso(60.0);
   EXPECT_TRUE(HitsOf(other, { { 1.5, 0.5, 5.0 }, { 0.0, 0.0, -1.0 } }).empty());
   EXPECT_EQ(other.PartsMade(), 0);

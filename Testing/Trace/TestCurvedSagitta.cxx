@@ -11,7 +11,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// How far the surface is at least off a segment, along a ray, if the ray meets it there.
+/// A lower bound of the surface's distance from a segment, along a ray, if the ray meets it there.
 using Truth = std::function<double(
   const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& at)>;
 
@@ -26,7 +26,7 @@ struct SagittaTally
   int closeInside = 0;
 };
 
-/// A point of the surface near where elements meet: at a plane u_axis = 0, as far as that.
+/// A point of the surface at the distance `off` from a plane u_axis = 0 between elements.
 using Meeting = std::function<Vec3(int axis, double off, Random& random)>;
 
 /// Pairs from a millionth to a tenth apart, from near and far, some of them across elements.
@@ -84,7 +84,7 @@ SagittaTally CheckPairs(
   return seen;
 }
 
-/// Of a sphere about the origin.
+/// Checks a sphere about the origin.
 SagittaTally CheckSphere(const Surface& surface, double radius, int count)
 {
   const LongHits sphere = RoundHits(Vec3(0.0), Vec3(0.0), radius);
@@ -240,7 +240,7 @@ TEST(CurvedSagitta, IsInfiniteAcrossSilhouettes)
   }
 }
 
-/// What is wrong with a hit is measured: the bound holds it, or nothing is known.
+/// The error of a hit is measured: the bound contains it, or is infinite.
 TEST(CurvedSagitta, HoldsWhatHitsAreOff)
 {
   const IsoBall ball;

@@ -14,7 +14,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// In element e of a Block; the largest value is 15.
+/// The field in element e of a Block; the largest value is 15.
 long double JumpingValueAt(int e, const LongVec3& x)
 {
   return 1.5L * e + (1 + 0.25L * e) * x[0] - x[1] + 0.5L * (e % 3) * x[2];
@@ -51,8 +51,8 @@ private:
   Scene scene_;
 };
 
-/// Where the segment between two points of the plane z = `z` leaves the element of the first one:
-/// the faces inside of a Block are x = z y / 5 and y = x / 5.
+/// The positions where the segment between two points of the plane z = `z` leaves the element of
+/// the first one. The inner faces of a Block are x = z y / 5 and y = x / 5.
 std::array<double, 2> WaysToFaces(const Vec3& a, const Vec3& b)
 {
   const auto zero = [](double atA, double atB) { return atA / (atA - atB); };

@@ -99,7 +99,7 @@ TEST(DebugColors, UndecidedOnesByTheirLayersMap)
     const bool undecided = i == 0 || i == 3 || i == 5;
     EXPECT_EQ(ColorAt(samples.color, i), undecided ? paint : (Rgba{ 9, 9, 9, 9 })) << i;
   }
-  // One map for all layers.
+  // The layers share one map.
   const UndecidedColors one({ Step(1.0) }, paint);
   EXPECT_FALSE(Has(one.Needs(), Buffer::Layer));
   EXPECT_EQ(one.Count(samples), 3);
@@ -151,7 +151,7 @@ TEST(DebugColors, CoverageOfWhatIsSeen)
 {
   const Overlap mesh;
   const CoverageColors colors;
-  // Aslant: what is behind a pixel's point is covered otherwise.
+  // The view is oblique, so that points behind a pixel's point have another coverage.
   CameraView view;
   view.position = { 4.003, 0.002, 3.0 };
   view.parallel = true;

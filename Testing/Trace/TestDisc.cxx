@@ -35,7 +35,7 @@ struct LongDisc
   }
 };
 
-/// Through the disc, near its rim and past it, from near and far, many nearly along it.
+/// A ray through the disc, near its rim or past it, from near and far, often nearly along it.
 Ray RayNear(RandomRays& random, const Vec3& centre, const Vec3& normal, double radius)
 {
   const LongVec3 unit = Unit(ToLong(normal));
@@ -125,7 +125,7 @@ TEST(Disc, EndsAtItsRim)
   EXPECT_TRUE(down(4.0, std::nextafter(6.0, 7.0)).empty());
   EXPECT_TRUE(down(std::nextafter(-4.0, -5.0), 2.0).empty());
   EXPECT_TRUE(down(5.0, 6.0).empty());
-  // As do the interval's ends.
+  // The same holds at the interval's ends.
   EXPECT_EQ(down(1.0, 2.0, 1.0, 1.0).size(), 1U);
   EXPECT_TRUE(down(1.0, 2.0, 1.5).empty());
   EXPECT_TRUE(down(1.0, 2.0, kNearest, 0.5).empty());

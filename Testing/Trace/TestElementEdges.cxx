@@ -96,8 +96,8 @@ TEST(ElementEdges, HaveTheirWidthAndPlace)
   }
 }
 
-/// On surfaces that bend, the part of a pixel that is no farther than half the width from the true
-/// line, by counting.
+/// On curved surfaces: the part of a pixel within half the width of the true line, by counting
+/// samples.
 TEST(ElementEdges, CoverWhatIsNearTheLine)
 {
   const Block block;
@@ -135,7 +135,7 @@ TEST(ElementEdges, CoverWhatIsNearTheLine)
         }
         const double exact = near / static_cast<double>(kCount * kCount);
         const double cover = CoverAt(frame, x, y);
-        // Where lines cross, what both cover is taken to be all.
+        // Where lines cross, their joint coverage is approximate.
         EXPECT_NEAR(cover, exact, 0.3) << x << " " << y;
         rough += std::fabs(cover - exact) > 0.1 ? 1 : 0;
         sum += cover;
@@ -170,7 +170,7 @@ TEST(ElementEdges, DistinguishKinds)
     EXPECT_NEAR(red, 2.0, 0.51) << moved;
     EXPECT_NEAR(black, 1.0 + moved, 0.02);
   }
-  // Half of it where nobody tells which is which.
+  // Half of the width where the sides are not distinguished.
   ElementEdges alike(EdgeStyle::Plain(2.0, kBlack));
   const Frame frame = Trace(row.scene_, AcrossRow(40), { { &colors }, { &alike } });
   EXPECT_NEAR(CoverAt(frame, 1, 1), 1.0, 0.01);
@@ -203,7 +203,7 @@ TEST(ElementEdges, FadeWhereElementsAreSmall)
 
 namespace
 {
-/// The top of a row, z = 1, as a surface that tells where on elements its hits are.
+/// The top of a row, z = 1, as a surface that returns the elements of its hits.
 class Top final : public Surface
 {
 public:
@@ -316,7 +316,7 @@ TEST(ElementEdges, AreRepainted)
   Repaint(row.scene_, camera, { { &colors }, { &thick } }, frame);
   EXPECT_EQ(frame.counters.rays, rays);
   EXPECT_EQ(frame.Image(), Trace(row.scene_, camera, { { &colors }, { &thick } }).Image());
-  // The scene is asked where it is.
+  // Repainting thicker lines needs the scene.
   EXPECT_THROW(Repaint({ { &colors }, { &thick } }, frame), Error);
 }
 
@@ -330,7 +330,7 @@ TEST(ElementEdges, KeepThePixelsOpacity)
   const Frame frame = Trace(row.scene_, AcrossRow(40), { { &colors }, { &edges } });
   const std::uint8_t* const line = &frame.Image()[4 * static_cast<std::size_t>(frame.width + 20)];
   EXPECT_EQ((Rgba{ line[0], line[1], line[2], line[3] }), (Rgba{ 255, 0, 0, 100 }));
-  // Without colours there is nothing to draw on.
+  // Without colours there is no image to draw on.
   EXPECT_TRUE(Trace(row.scene_, AcrossRow(40), { {}, { &edges } }).Image().empty());
 }
 

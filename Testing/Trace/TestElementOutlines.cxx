@@ -93,7 +93,7 @@ struct OutlineTally
   int uncertain = 0;
 };
 
-/// Of a frame of one colour, with outlines: every pixel is one or none by the closed form.
+/// Checks a frame of one colour with outlines: every pixel is one or none by the closed form.
 OutlineTally ExpectOutlines(const Frame& frame, const TrueScene& scene, const CameraView& view)
 {
   OutlineTally tally;
@@ -252,7 +252,7 @@ TEST(ElementOutlines, NeedTheScene)
   const CutBlock cut;
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
-  // Without colours they do nothing.
+  // Without colours outlines do nothing.
   Frame frame = Trace(cut.scene.Traced, Camera(MakeAskewView(), 20, 20), { {}, { &outlines } });
   EXPECT_TRUE(frame.Image().empty());
   frame = Trace(cut.scene.Traced, Camera(MakeAskewView(), 20, 20), {},

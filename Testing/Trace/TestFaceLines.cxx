@@ -16,7 +16,7 @@ namespace
 {
 constexpr double kReach = 1.5;
 
-/// Of all pixels of a frame.
+/// The lines of all pixels of a frame.
 std::vector<FaceLine> LinesOf(const Scene& scene, const Camera& camera, Frame& frame)
 {
   const Pipeline pipeline;
@@ -54,7 +54,7 @@ std::array<double, 2> CentreOf(std::size_t pixel, int width)
 /// The direction of a block's inner face; -1: it is on the boundary.
 int InnerDirection(const FaceLine& line)
 {
-  // In the order of FacesOf. An element is on the upper side where its bit is set.
+  // Faces in the order of FacesOf. An element is on the upper side where its bit is set.
   constexpr int kDirections[] = { 2, 0, 0, 1, 1, 2 };
   constexpr bool kUpper[] = { false, false, true, false, true, true };
   const int direction = kDirections[line.face];

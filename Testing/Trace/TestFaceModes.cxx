@@ -18,7 +18,7 @@ namespace
 {
 constexpr int kPoints = 21;
 
-/// Of every shape and form, orders that are alike, that are not, and some that have no face modes.
+/// Spaces of every shape and form, with equal and different orders, and some without face modes.
 std::vector<Space> AllSpaces()
 {
   std::vector<Space> spaces;
@@ -111,7 +111,7 @@ Quad AlongChart(const FaceChart& chart, const QuadValue& of, std::size_t j)
     Quad(chart.along[j]) * of.gradient[static_cast<std::size_t>(chart.across)];
 }
 
-/// What the modes of a face are at a xi, without rounding: value and slopes by u and v.
+/// The sum of the modes of a face at a xi, without rounding: value and slopes by u and v.
 std::array<QuadValue, 3> WithoutRounding(
   const FaceModes& modes, const FaceChart& chart, const Vec3& xi)
 {
@@ -171,8 +171,8 @@ TEST(FaceModes, AreTheElementsMapOnEachFace)
         const Evaluated found(FaceMap(mesh, part, modes && !inElement ? &*modes : nullptr), xi);
         for (std::size_t i = 0; i < xi.size(); ++i)
         {
-          // At a pyramid's apex the reference divides by zero, and in tensor form slopes are not
-          // bounded near it.
+          // At a pyramid's apex the reference divides by zero, and in tensor form slopes are
+          // unbounded near it.
           const double last = space.form == Form::Tensor ? 0.9 : 1.0;
           if (space.shape == Shape::Pyramid && xi[i].z >= last)
           {

@@ -13,7 +13,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// Of this order, on every shape: straight at a pyramid's apex.
+/// A map of this order on every shape; straight at a pyramid's apex.
 MeshBuilder::Map MapOf(Shape shape, int order)
 {
   return [=](const LongVec3& xi)
@@ -130,7 +130,7 @@ void CompareHits(const Mesh& mesh, const FacePatch& patch, const Ray& ray,
       }
     }
     seen.hits += certain == 1 ? 1 : 0;
-    // What is undecided along a ray is told once, until a hit is certain.
+    // An undecided interval of a ray is reported once, until a hit is certain.
     const auto last = std::ranges::find_if(
       hits.rbegin(), hits.rend(), [t](const PointHit& hit) { return hit.t < t; });
     const bool isTold = last != hits.rend() && last->status == HitStatus::Undecided;
@@ -243,7 +243,8 @@ TEST(FacesOracle, AgainstSubdivision)
 
 namespace
 {
-/// Rays from outside meet a closed body an even number of times, through its middle at least twice.
+/// Rays from outside meet a closed body an even number of times, and through its middle at least
+/// twice.
 void ExpectEvenHits(const std::string& name, const Mesh& mesh, Random& random, int count)
 {
   const ElementIndex index(mesh);
@@ -254,7 +255,7 @@ void ExpectEvenHits(const std::string& name, const Mesh& mesh, Random& random, i
   int unknown = 0;
   for (int i = 0; i < count; ++i)
   {
-    // At vertices, on edges and at random places of the boundary.
+    // Targets at vertices, on edges and at random places of the boundary.
     const ElementFace& face =
       faces[static_cast<std::size_t>(random(0.0, 0.999) * static_cast<double>(faces.size()))];
     const FacePatch patch(mesh, face.element, face.face, 0);
@@ -265,7 +266,7 @@ void ExpectEvenHits(const std::string& name, const Mesh& mesh, Random& random, i
       u = kind < -0.3 ? -1.0 : kind < 0.3 ? 1.0 : random();
     }
     const Vec3 target = patch.PointAt(at[0], at[1]);
-    // From outside, through the body's middle or near it: no tangent.
+    // Rays from outside through the body's middle or near it, which are not tangent.
     const Vec3 inner(0.2 * random(), 0.2 * random(), 0.2 * random());
     const Vec3 direction = glm::normalize(inner - target);
     const Ray ray{ target - 20.0 * direction, direction };
@@ -310,7 +311,7 @@ TEST(FacesOracle, ClosedBodiesLetNothingIn)
   ExpectEvenHits("hanging, all shapes", all.View(), random, count);
 }
 
-/// Of a cube with flat faces: rays within their planes, along their edges and through its corners.
+/// A cube with flat faces: rays within their planes, along their edges and through its corners.
 TEST(FacesOracle, RaysInThePlanesOfFlatFaces)
 {
   MeshBuilder builder;

@@ -26,8 +26,8 @@ long double Other(const LongVec3& x)
   return 2 + x[0] * x[1] - 3 * x[2] + x[1] * x[1];
 }
 
-/// One bent element about [-0.5, 1.5] x [-1, 1] x [-1, 1], with fields that are known. Its faces in
-/// x are flat.
+/// One bent element about [-0.5, 1.5] x [-1, 1] x [-1, 1], with known fields. Its faces in x are
+/// flat.
 class Slab
 {
 public:
@@ -140,7 +140,7 @@ TEST(FieldDifference, IsThatOfTheClosedFormsAndWithinItsBounds)
     squares += truth * truth;
     largest = std::max(largest, std::fabs(truth));
     ASSERT_NEAR(centres.value[i], static_cast<double>(truth), 2e-13) << k;
-    // At the position that was found, whose own rounding is not the bounds' matter.
+    // Uses the position that was found, whose own rounding the bounds do not cover.
     const LongVec3 at = ToLong(centres.position[i]);
     const long double there = Block::CurvedAt(at) - Other(at);
     ASSERT_LE(centres.valueLower[i], there);
@@ -173,7 +173,7 @@ TEST(FieldDifference, TheNearestPointInEitherMeshIsSeen)
   Block block;
   block.MakeCurved();
   const Slab slab;
-  // Its nearer side leaves the first mesh, and is in the second one alone.
+  // Its nearer side leaves the first mesh, and is only in the second one.
   const Vec3 centre(0.9, 0.0, 0.0);
   const double radius = 0.5;
   CameraView view;

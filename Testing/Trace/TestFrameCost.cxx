@@ -44,7 +44,7 @@ TEST(FrameCost, AFrameThatWasSlowOnceIsForgotten)
   // A first frame makes what later ones keep.
   cost.Learn(kPixels, 1, 1.0, 30.0);
   EXPECT_EQ(cost.First(kPixels, 0.1), 16);
-  // Coarse passes say what it costs now at most.
+  // Coarse passes give an upper bound of the cost.
   cost.Learn(kPixels, 16, 1.0, 1e-4);
   EXPECT_EQ(cost.First(kPixels, 0.1), 1);
 }

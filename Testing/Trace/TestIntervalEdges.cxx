@@ -18,7 +18,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// The judge as a module.
+/// The classifier as a module.
 class Classified final : public FrameModule
 {
 public:
@@ -140,11 +140,11 @@ private:
   std::vector<KeptHalfSpace> Kept;
 };
 
-/// No pixel is Out of which samples bracket a value, none In of which none do.
+/// No pixel is Out whose samples bracket a value, and none is In whose samples bracket none.
 void ExpectNoneWrong(
   const Classified& classified, const TrueEdges& truth, const std::vector<double>& values)
 {
-  // Of the block's coefficients and of values in doubles.
+  // Rounding of the block's coefficients and of values in doubles.
   constexpr long double kRounding = 1e-12L;
   int wrong = 0;
   for (int y = 0; y < kIntervalHeight; ++y)
@@ -172,7 +172,7 @@ void ExpectNoneWrong(
   EXPECT_EQ(wrong, 0);
 }
 
-/// Of degree 4, with many extrema on a cut.
+/// A polynomial of degree 4, with many extrema on a cut.
 long double Wavy(const LongVec3& p)
 {
   const auto [x, y, z] = p;
@@ -238,7 +238,7 @@ TEST(IntervalEdges, NoVerdictIsWrong)
   }
 }
 
-/// A level tells what a run with so many subdivisions ends with.
+/// The results at a level are those of a run with the same number of subdivisions.
 TEST(IntervalEdges, LevelsAreThoseOfShorterRuns)
 {
   const Scene scene = cut_();
@@ -289,8 +289,8 @@ TEST(IntervalEdges, NoVerdictIsWrongWherePartsAreCutAway)
   EXPECT_GT(classified.counters.out, 100);
 }
 
-/// Figure 3 of the paper: a thin strip that passes between the corners. They say nothing, the
-/// intervals leave it open, and samples between find it.
+/// Figure 3 of the paper: a thin strip that passes between the corners. The corners show nothing,
+/// the intervals leave it undecided, and samples between find it.
 TEST(IntervalEdges, FindsWhatCornersMiss)
 {
   const auto ridge = [](const LongVec3& p)
@@ -315,11 +315,11 @@ TEST(IntervalEdges, FindsWhatCornersMiss)
   Classified deep(values, 6);
   Classify(deep, scene, view);
   EXPECT_GE(deep.counters.in, 36);
-  // And nothing but the strip's own column, and those beside faces.
+  // Only the strip's own column, and those near faces, are in.
   EXPECT_LT(deep.counters.in, 45);
 }
 
-/// What is beside the mesh is told, not guessed: all around the cut is Out.
+/// Pixels outside the mesh are proven Out, not guessed.
 TEST(IntervalEdges, TellsWhatIsBesideTheMesh)
 {
   const Scene scene = cut_();
@@ -333,7 +333,7 @@ TEST(IntervalEdges, TellsWhatIsBesideTheMesh)
   EXPECT_GT(classified.counters.undecided, 100);
 }
 
-/// Along the plane, the upper half of the image sees none of it.
+/// The view is along the plane; the upper half of the image shows nothing of it.
 TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
 {
   CameraView view;
@@ -347,11 +347,11 @@ TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
   EXPECT_EQ(std::ranges::count(
               std::span(classified.verdicts).last(kIntervalWidth * (kIntervalHeight / 2 - 1)), out),
     kIntervalWidth * (kIntervalHeight / 2 - 1));
-  // On faces of the block, which are flat along the plane.
+  // The block has faces that are flat along the plane.
   EXPECT_GT(classified.counters.out, 100);
 }
 
-/// A chord is no curve: on other surfaces and behind each other nothing is Out.
+/// A chord is not the curve: on other surfaces, and with several layers, nothing is Out.
 TEST(IntervalEdges, SaysNothingOfCurvedSurfacesAndSeveralLayers)
 {
   const Scene ball = block_().With(std::make_shared<Quadric>(MakeSphere(Vec3(0.0), 0.8)));

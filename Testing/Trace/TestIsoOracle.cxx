@@ -158,7 +158,7 @@ TEST(IsoOracle, MagnitudesAreDecided)
   }
 }
 
-/// What another component is, large, small or NaN, is nothing to this one.
+/// The values of another component, large, small or NaN, do not affect this one.
 TEST(IsoOracle, ComponentsDoNotMindEachOther)
 {
   for (const Shape shape : kShapes)
@@ -188,7 +188,7 @@ TEST(IsoOracle, ComponentsDoNotMindEachOther)
   }
 }
 
-/// From numbers without all their bits to almost the largest.
+/// Fields from denormal numbers to almost the largest.
 TEST(IsoOracle, FieldsOfAnySize)
 {
   Element plain(Shape::Hexahedron, 4, 1);
@@ -214,8 +214,8 @@ TEST(IsoOracle, FieldsOfAnySize)
   }
 }
 
-/// A field that is the value everywhere has no surface that a ray could meet in points: it is told
-/// once that this is not decided, and soon.
+/// A field that has the value everywhere has no surface with single hits. The result is undecided,
+/// once and quickly.
 TEST(IsoOracle, PlateausEnd)
 {
   for (const Shape shape : kShapes)
@@ -302,7 +302,7 @@ public:
   }
 
 private:
-  /// Double is enough between the roots; these are judged in 113 bits.
+  /// Doubles suffice between the roots; the roots are checked in 113 bits.
   [[nodiscard]] bool Follow(const Vec3& x, Vec3& xi) const
   {
     for (int step = 0; step < 20; ++step)
@@ -388,7 +388,7 @@ TEST(IsoOracle, NumbersOfRootsAreThoseOfMarching)
             const bool inside = samples[k - 1].margin > 0.0 && samples[k].margin > 0.0;
             const bool isChange = (samples[k - 1].f < 0.0) != (samples[k].f < 0.0);
             changes += inside && isChange ? 1 : 0;
-            // At the face, and where an extremum is near the value.
+            // Undecided at the face, and near an extremum close to the value.
             isUnsure = isUnsure ||
               ((samples[k - 1].margin > 0.0) != (samples[k].margin > 0.0) &&
                 (isChange || std::fabs(samples[k].f) < 0.02)) ||
@@ -494,7 +494,7 @@ TEST(IsoOracle, ThinSheetsAndSmallSpheres)
     int undecided = 0;
     for (int i = 0; i < 200; ++i)
     {
-      // Half of them beside it, none within a tenth of the radius of a tangent.
+      // Half of the rays miss the sphere; none is within a tenth of the radius of a tangent.
       const Vec3 direction = RandomDirection(random);
       const Vec3 aside = glm::normalize(glm::cross(direction, RandomDirection(random)));
       const bool isThrough = i % 2 == 0;
@@ -530,7 +530,7 @@ TEST(IsoOracle, DegenerateValues)
   const ElementIndex index(mesh.View());
   const Field field{ "x", values.View() };
   Random random(97);
-  // Where the two elements meet, and at the ends of x.
+  // The values are those where the two elements meet, and at the ends of x.
   for (const double value : { 0.0, -1.0, 1.0 })
   {
     const IsoSurface iso(index, field, 0, value);

@@ -76,7 +76,7 @@ void CompareRoots(const IsoPair& pair, const std::vector<Ray>& rays, Count& coun
     {
       right = std::fabs(hits[i][k].t - truth.roots[k]) <= 1e-6;
     }
-    // What is undecided begins no later than the next root.
+    // An undecided interval begins no later than the next root.
     right = right &&
       (open == hits[i].end() || certain == truth.roots.size() ||
         open->t <= truth.roots[certain] + 1e-6);
@@ -115,7 +115,7 @@ TEST(IsoPairs, HitsAreTheRootsInClosedForm)
               << " left to rounding, " << count.undecided << " others undecided, " << most
               << " pieces at most" << std::endl;
     EXPECT_EQ(count.wrong, 0);
-    // A root may lie where two pieces meet. Next to a plateau, as far as rounding moves a root of
+    // A root may lie where two pieces meet. Near a plateau, as far as rounding moves a root of
     // order 3 or 4, every ray is decided.
     EXPECT_EQ(count.far, 0);
     EXPECT_LE(count.undecided, count.rays / 500);
@@ -128,7 +128,7 @@ namespace
 {
 using Hits = std::vector<std::vector<PointHit>>;
 
-/// Of rays and their first `some` hits.
+/// Compares rays and their first `some` hits.
 void ExpectSameRoots(const Hits& a, const Hits& b, std::optional<std::size_t> some = std::nullopt)
 {
   ASSERT_EQ(a.size(), b.size());

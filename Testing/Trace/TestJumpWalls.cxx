@@ -32,7 +32,7 @@ JumpWalls WallsOf(const TwoBlocks& blocks, int component, double value)
   return { *blocks.locator_, *blocks.Table, blocks.field_, component, value };
 }
 
-/// Of each ray along x the one hit, where `isWall` says so.
+/// Checks that each ray along x has one hit where `isWall` is true.
 template <class IsWall>
 void ExpectWalls(const Surface& walls, int element, IsWall isWall)
 {
@@ -81,7 +81,7 @@ TEST(JumpWalls, ValuesBeyondBothSidesHaveNone)
   {
     EXPECT_EQ(WallsOf(blocks, 0, value).Parts(), 0);
   }
-  // One side has the value: it does not lie between the two.
+  // One side has the value, which therefore is not between the two.
   EXPECT_TRUE(HitsOf(WallsOf(blocks, 0, 1.5), TwoBlocks::RayAt(0.1, 0.2)).empty());
 }
 

@@ -99,7 +99,7 @@ TEST(Layers, OfTwoThatCoincideTheFirstIsSeen)
 TEST(Layers, AreSeenInTheOrderOfTheirDistance)
 {
   Fields fields;
-  // They cut each other within the cube: no order is the same everywhere.
+  // The planes intersect within the cube: no order is valid everywhere.
   const std::array<std::pair<Vec3, Vec3>, 3> planes{ std::pair(
                                                        Vec3(0.0, 0.0, 0.3), Vec3(0.2, 0, 1)),
     std::pair(Vec3(0.1), Vec3(-0.5, 0.3, 1.0)), std::pair(Vec3(0.0, 0.1, -0.4), Vec3(0, -0.8, 1)) };
@@ -128,7 +128,7 @@ TEST(Layers, AreSeenInTheOrderOfTheirDistance)
       const SheetTally tally = ExpectSheets(frame, scene, view);
       EXPECT_LE(tally.uncertain, 5);
       EXPECT_GT(tally.WithDepth(0), 100);
-      // What is behind is there exactly where something is seen through.
+      // Hidden layers are visible exactly where the front is translucent.
       const std::size_t most = translucent == 0 ? 1 : translucent == 7 || translucent == 6 ? 3 : 2;
       EXPECT_EQ(frame.centres.behind.size() + 1, most);
       EXPECT_GT(tally.WithDepth(most), 5);
@@ -155,7 +155,7 @@ TEST(Layers, TranslucentSphereAroundAPlane)
     const Frame frame = Trace(scene.Traced, Camera(view, 90, 80), {}, { .centres = kAllWithLayer });
     const SheetTally tally = ExpectSheets(frame, scene, view);
     EXPECT_LE(tally.uncertain, 5);
-    // The plane ends what is seen of the sphere, unless it is behind all of it.
+    // The plane hides the sphere, unless it is behind all of it.
     EXPECT_EQ(frame.centres.behind.size(), 2U);
     EXPECT_GT(tally.WithDepth(2), 1000);
     EXPECT_GT(tally.WithDepth(1), 50);
@@ -163,7 +163,7 @@ TEST(Layers, TranslucentSphereAroundAPlane)
     EXPECT_EQ(frame.counters.exact + frame.counters.nothing, 90 * 80);
     EXPECT_GE(frame.counters.surfaceHits, Sum(tally.pixelsOfDepth));
 
-    // And both translucent: the far half is the third sheet.
+    // With both translucent, the far half is the third sheet.
     scene.Traced.layers[1].translucent = true;
     const Frame through =
       Trace(scene.Traced, Camera(view, 90, 80), {}, { .centres = kAllWithLayer });
@@ -182,7 +182,7 @@ TEST(Layers, HitsAreCountedAsRaysComeToThem)
 {
   Fields fields;
   Block& block = fields.block;
-  // From 5, seen along z: outside, outside, within, within.
+  // Seen along z from 5: outside, outside, inside, inside.
   for (const double z : { 3.0, 2.0, 0.5, 0.0 })
   {
     block.WithPlane({ 0.0, 0.0, z }, { 0.0, 0.0, 1.0 });
@@ -270,7 +270,7 @@ TEST(Layers, AsManyAsANumberOfThemCanTell)
   const Camera camera = ViewAlongZ(4, 4, 0.9);
   for (int k = 0; k < 255; ++k)
   {
-    // All but the last beside the mesh.
+    // All planes except the last are outside the mesh.
     block.WithPlane({ 0.0, 0.0, k < 254 ? 2.0 : 0.0 }, { 0.0, 0.0, 1.0 });
   }
   const Frame frame = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });

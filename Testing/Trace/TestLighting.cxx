@@ -136,7 +136,7 @@ TEST_P(Lights, ShineAsTheirModelSays)
       for (std::size_t c = 0; c < 3; ++c)
       {
         const auto wanted = static_cast<double>(255 * std::clamp((*lit)[c], 0.0L, 1.0L));
-        // Where it does not reach, VTK's highlight is a little more than nothing.
+        // Far from the highlight, VTK's value is slightly above zero.
         EXPECT_NEAR(to[c], wanted, 0.51) << repeat << " " << i;
         dark += wanted < 40.0 ? 1 : 0;
       }

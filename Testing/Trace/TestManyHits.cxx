@@ -7,7 +7,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// Planes z = const, with what is known of their hits; xi and elements are not.
+/// Planes z = const whose hits have a given status, without xi and elements.
 class Stack final : public Surface
 {
 public:
@@ -68,7 +68,7 @@ TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
     seen += within ? 1 : 0;
   }
   EXPECT_EQ(frame.counters.exact, seen);
-  // Beside the cube rays come to all, and so do they through it.
+  // Rays outside the cube reach all planes, and so do rays through it.
   EXPECT_EQ(frame.counters.surfaceHits, 7 * 33 * 29);
   block.scene_.layers[0].translucent = false;
   const Frame opaque = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
@@ -106,7 +106,7 @@ TEST(ManyHits, WhatIsKnownOfHits)
     EXPECT_EQ(sheets[2]->depth[i], 5.3);
   }
 
-  // The first that is seen of an opaque one, and it ends there.
+  // A ray ends at the first visible hit of an opaque layer.
   surface->levels.erase(surface->levels.begin() + 2);
   block.scene_.layers[0].translucent = false;
   const Frame opaque = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });
@@ -117,7 +117,7 @@ TEST(ManyHits, WhatIsKnownOfHits)
   EXPECT_EQ(std::ranges::count(opaque.centres.depth, 4.8), 400);
   EXPECT_EQ(opaque.counters.surfaceHits, 3 * 400);
 
-  // What is not seen is not counted.
+  // Hidden hits are not counted.
   block.scene_.layers.insert(block.scene_.layers.begin(),
     MakeLayer(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.8), Vec3(0.0, 0.0, 1.0)), block.field_));
   const Frame hidden = Trace(block.scene_, camera, {}, { .centres = kAllWithLayer });

@@ -90,7 +90,7 @@ public:
   }
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override
   {
-    // Tells what it is asked with.
+    // Returns its arguments, so that the test can compare them.
     return { point.xi.z, static_cast<double>(point.element), 0.0 };
   }
 };
@@ -111,7 +111,7 @@ Camera AlongZ()
 
 } // namespace
 
-/// At x = 0 both elements hold the points: the surface tells which one is meant.
+/// At x = 0 both elements contain the points; the surface determines the element.
 TEST(MeshSurface, IsNotLocated)
 {
   ElementPair pair;
@@ -140,7 +140,7 @@ TEST(MeshSurface, IsNotLocated)
       }
       ++exact;
       const int element = origin.x < 0.0 ? 0 : 1;
-      // The first element's face is at x = 0 too.
+      // The first element's face is also at x = 0.
       between += std::fabs(origin.x) < 1e-12 ? 1 : 0;
       EXPECT_EQ(frame.centres.element[at], element);
       EXPECT_EQ(frame.centres.xi[at],
@@ -150,7 +150,7 @@ TEST(MeshSurface, IsNotLocated)
       EXPECT_LE(Largest(Minus(ToLong(frame.centres.position[at]), position)), 1e-15);
       const long double value = ElementPair::ValueAt(element, position);
       EXPECT_NEAR(frame.centres.value[at], static_cast<double>(value), 1e-12);
-      // Enclosed at the position, in the element that was told.
+      // The value is enclosed at the position, in the element that the surface returned.
       const long double there = ElementPair::ValueAt(element, ToLong(frame.centres.position[at]));
       EXPECT_LE(frame.centres.valueLower[at], there + 1e-17L);
       EXPECT_GE(frame.centres.valueUpper[at], there - 1e-17L);
@@ -202,7 +202,7 @@ TEST(MeshSurface, SevenSheetsInOrder)
   EXPECT_EQ(pair.Queries(), 0);
 }
 
-/// Beside a plane: of each layer what it is, in whichever order they come.
+/// Next to a plane: each hit has the values of its layer, in any order.
 TEST(MeshSurface, AmongOthers)
 {
   const auto surface = std::make_shared<IsoSheets>();

@@ -14,7 +14,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// The boundary of two blocks, as far as their table tells it.
+/// The boundary of two blocks, from their table of faces.
 ElementFaces MakeBoundary(const TwoBlocks& blocks)
 {
   std::vector<ElementFace> faces;
@@ -54,7 +54,7 @@ TEST(PartlyCovered, WhatIsCoveredIsNotThere)
       const double y = rays[i].origin.y;
       const double z = rays[i].origin.z;
       const bool covered = std::fabs(y) < 0.5 && std::fabs(z) < 0.5;
-      // In at x = g - 1, and out where the second block ends, or the first.
+      // The ray enters at x = g - 1, and leaves at the end of the second block, or of the first.
       ASSERT_EQ(all[i].size(), 2U) << y << ' ' << z;
       const double between = static_cast<double>(TwoBlocks::Between(y, z));
       EXPECT_NEAR(all[i][0].t, 2.0 + between, 1e-14);
@@ -68,7 +68,7 @@ TEST(PartlyCovered, RaysEndAtTheFirstThatIsThere)
 {
   const TwoBlocks blocks(0.5, {});
   const ElementFaces boundary = MakeBoundary(blocks);
-  // From within the first block, through the covered part: past it to the second block's end.
+  // A ray from inside the first block, through the covered part, to the second block's end.
   const auto hits = MeetPoints(boundary, { TwoBlocks::RayAt(0.2, 0.1) }, { 2.5 }, true);
   ASSERT_FALSE(hits[0].empty());
   EXPECT_NEAR(hits[0][0].t, 4.0 + static_cast<double>(TwoBlocks::Between(0.2, 0.1)), 1e-14);

@@ -80,7 +80,7 @@ TEST(PatchesOracle, ClosedSurfacesLetNothingThrough)
       for (int i = 0; i < count; ++i)
       {
         const BezierPatch& patch = patches[static_cast<std::size_t>(random(0.0, 23.999))];
-        // At corners, which are points of the surface, and anywhere.
+        // Targets are corners, which are points of the surface, and other control points.
         const Vec3 target = i % 2 == 0 ? patch.points[i % 4 < 2 ? 0 : 12] : patch.points[5];
         const Vec3 inner = centre + size * 0.2 * Vec3(random(), random(), random());
         const Vec3 direction = glm::normalize((inner - target) / size);

@@ -17,11 +17,11 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// Of xi from a piece's ends: nearer roots may be found in either of two pieces.
+/// Distance of xi from a piece's ends within which roots may be found in either of two pieces.
 constexpr double kAtEnd = 1e-9;
-/// Of f's slope along a ray: below it two roots are as good as one.
+/// Slope of f along a ray below which two roots are equivalent to one.
 constexpr double kGrazing = 1e-6;
-/// How much of b^2 and c^2 a map may add to the first coordinate: its inverse has a closed form.
+/// Factors of b^2 and c^2 that a map adds to the first coordinate, which has a closed inverse.
 using Bending = std::array<double, 2>;
 constexpr Bending kBent{ 0.15, -0.1 };
 constexpr Bending kStraight{ 0.0, 0.0 };
@@ -107,7 +107,8 @@ XiQuadratic AnyOf(Random& random, const Vec3& through, double bends)
   return f;
 }
 
-/// Along a ray of degree 4: one factor where the map is bent, two where it is straight.
+/// A factor of a polynomial of degree 4 along a ray: one where the map is bent, two where it is
+/// straight.
 struct Product
 {
   XiQuadratic one;
@@ -141,7 +142,7 @@ struct Root
   double slope = 0.0; ///< of f along the ray
 };
 
-/// One element, its field, and pieces made of it.
+/// One element, its field, and its pieces.
 class Made
 {
 public:
@@ -208,7 +209,7 @@ public:
           const Vec3 slope = F.Slope(xi);
           xi -= F.At(xi) / glm::dot(slope, slope) * slope;
         }
-        // By the map's inverse, to x.
+        // Converts the slope to x by the inverse of the map.
         Vec3 normal = F.Slope(xi);
         normal.y -= 2.0 * F.bend[0] * xi.y * normal.x;
         normal.z -= 2.0 * F.bend[1] * xi.z * normal.x;
@@ -226,7 +227,7 @@ public:
     return rays;
   }
 
-  /// How far a root is inside of a piece.
+  /// The depth of a root inside a piece.
   [[nodiscard]] double DepthIn(const CurvedPiece& piece, const Vec3& xi) const
   {
     double depth = 2.0;
@@ -281,8 +282,8 @@ bool HasRay(const RaySet& rays, int ray)
   return (rays.bits[static_cast<std::size_t>(ray / 64)] >> (ray % 64) & 1U) != 0;
 }
 
-/// look(piece, rays) at all flat pieces, which returns the rays that it leaves unclear: halves are
-/// looked at for these.
+/// Calls look(piece, rays) for all flat pieces. It returns the unclear rays, for which the piece's
+/// children are visited.
 template <class Look>
 void Descend(const Made& made, const RayBundle& bundle, const CurvedPiece& piece,
   const RaySet& rays, const Look& look)
@@ -409,9 +410,9 @@ struct Looks
   int wrong = 0;
 };
 
-/// What is left to be proven of rays at one look after another: of each that is not unclear, the
-/// roots in the piece are no more than the pairs and open places, and where there are only places,
-/// these hold them.
+/// Checks the state of rays after each look: for each ray that is not unclear, the roots in the
+/// piece are at most the pairs and open places, and where there are only places, these contain
+/// them.
 void CheckLook(const Made& made, const CurvedPiece& piece,
   const std::vector<std::vector<Root>>& roots, const RaySet& asked, const RaySet& unclear,
   SolverWork& work, std::map<int, int>& started, Looks& looks)

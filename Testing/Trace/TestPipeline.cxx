@@ -150,7 +150,7 @@ TEST_P(Pipelines, GiveTheCornersThatAFrameHas)
             static_cast<std::size_t>((area.y0 + y) * wanted.corners.width + area.x0 + x));
         }
       }
-      // Cast once, however often they are asked for.
+      // Corners are cast once for several requests.
       EXPECT_EQ(&tile.Corners(), &corners);
       EXPECT_EQ(tile.Counters().rays, static_cast<std::int64_t>(corners.Size()));
       rays += static_cast<std::int64_t>(corners.Size());
@@ -192,14 +192,14 @@ TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
   EXPECT_EQ(frame.centres.depth, wanted.centres.depth);
   // Frames keep them only where modules come after all tiles.
   EXPECT_EQ(frame.centres.Holds(kAllWithLayer), GetParam().translucent);
-  // Where they are not there, they are not traced.
+  // Optional buffers that do not exist are not traced.
   Asking again({ .welcome = kAllWithLayer },
     [&](TileVisit& tile) { EXPECT_EQ(tile.Centres().has_value(), GetParam().translucent); });
   Repaint(scene.scene_, camera, { {}, { &again } }, frame);
   EXPECT_EQ(frame.counters.rays, 71 * 45);
 }
 
-/// In pixels eight times as small, whose centres they are.
+/// Samples at the centres of pixels an eighth as wide.
 TEST_P(Pipelines, TraceSamplesAnywhere)
 {
   const LayeredScene scene(GetParam().translucent);
@@ -252,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, Pipelines,
   ::testing::Values(PipelineCase{ "Opaque", false }, PipelineCase{ "Translucent", true }),
   [](const auto& test) { return std::string(test.param.name); });
 
-/// On a plane across the view, where image and world differ by a factor alone.
+/// A plane across the view, where image and world differ only by a factor.
 TEST(Pipeline, SamplesOnEdges)
 {
   Block block;

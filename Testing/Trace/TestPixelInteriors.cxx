@@ -41,7 +41,7 @@ PixelResult CertifyPixels(const Scene& scene, const CameraView& view,
   return { certifier.Verdicts(), certifier.Counters() };
 }
 
-/// Where the ray through a position meets a surface first.
+/// The first intersection of the ray through a position with a surface.
 Vec3 FindFirstHit(const Surface& surface, const CameraView& view, double px, double py)
 {
   return HitsOf(surface, Camera(view, kVerdictWidth, kVerdictHeight).At(px, py)).front().position;
@@ -53,7 +53,7 @@ long double SquaredDistance(const LongVec3& x, const Vec3& from)
   return Dot(d, d);
 }
 
-/// The square of a part of a pixel's width, on a surface about there.
+/// The square of a part of a pixel's width, on the surface there.
 double SquareOf(const Surface& surface, const CameraView& view, double px, double py, double part)
 {
   return std::pow(part *
@@ -110,7 +110,7 @@ TEST(PixelInteriors, LoopsOfATenthOfAPixelAreIn)
   }
 }
 
-/// Minima of two elements that meet in the pixel (32, 34), in it and beside it.
+/// Minima of two elements that meet in the pixel (32, 34), inside and outside of it.
 TEST(PixelInteriors, TwoLoops)
 {
   CameraView view;

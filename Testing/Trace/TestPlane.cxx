@@ -72,7 +72,7 @@ TEST(Plane, NoHitBehindParallelOrBeyondTheInterval)
   EXPECT_EQ(meets({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 } }), 0U);
   EXPECT_EQ(meets({ { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } }), 0U);
   EXPECT_EQ(meets({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }), 0U);
-  // From the plane itself.
+  // A ray that starts on the plane.
   EXPECT_EQ(meets({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }), 0U);
   const Ray down{ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } };
   EXPECT_EQ(meets(down, 1.5), 0U);

@@ -105,7 +105,7 @@ TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
   const Frame wanted = Trace(cube.scene_, camera, {}, { .centres = kAllWithCoverage });
   for (int passes = 0; passes <= 3; ++passes)
   {
-    // In the memory of another frame.
+    // The frame reuses the memory of another frame.
     Frame spare = Trace(cube.scene_, MakeCubeView(120, 90), {},
       { .centres = kAllWithCoverage, .corners = kAllWithCoverage });
     ProgressiveFrame frame(

@@ -231,14 +231,14 @@ TEST(Quadric, TouchesOnceAndLiesInNothing)
   // Hardly inside: two hits.
   const Ray inside{ { -3.0, std::nextafter(1.0, 0.0), 0.0 }, { 1.0, 0.0, 0.0 } };
   EXPECT_EQ(HitsOf(MakeSphere(Vec3(0.0), 1.0), inside).size(), 2U);
-  // So far away that both are at one t.
+  // The origin is so far away that both hits have the same t.
   const Ray far{ { -0x1p60, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } };
   const auto both = HitsOf(MakeSphere(Vec3(0.0), 1.0), far);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].t, both[1].t);
   EXPECT_EQ(both[0].position, Vec3(-1.0, 0.0, 0.0));
   EXPECT_EQ(both[1].position, Vec3(1.0, 0.0, 0.0));
-  // Along a cylinder's generator, within it, and beside it.
+  // A ray along a cylinder's generator, inside the cylinder, and outside.
   const Quadric cylinder = MakeCylinder(Vec3(0.0), { 1.0, 0.0, 0.0 }, 1.0);
   EXPECT_TRUE(HitsOf(cylinder, along).empty());
   EXPECT_TRUE(HitsOf(cylinder, { Vec3(0.0), { 1.0, 0.0, 0.0 } }).empty());
@@ -250,7 +250,7 @@ TEST(Quadric, TouchesOnceAndLiesInNothing)
     EXPECT_TRUE(HitsOf(same, along).empty());
     EXPECT_TRUE(HitsOf(same, { Vec3(0.0), { 1.0, 0.0, 0.0 } }).empty());
   }
-  // Along a paraboloid's axis.
+  // A ray along a paraboloid's axis.
   const Quadric bowl = MakeQuadric({ 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 });
   const auto once = HitsOf(bowl, { { 1.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } });
   ASSERT_EQ(once.size(), 1U);

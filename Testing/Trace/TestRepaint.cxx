@@ -18,8 +18,8 @@ namespace
 constexpr int kRepaintWidth = 75;
 constexpr int kRepaintHeight = 50;
 
-/// Makes a buffer of its own, how far apart the values at a pixel's centre and corners are, and
-/// halves the image's red.
+/// Writes a buffer with the largest difference of the values at a pixel's centre and corners, and
+/// divides the image's red by two.
 class Spread final : public FrameModule
 {
 public:
@@ -127,7 +127,7 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
     const double expected = std::fabs(apart.centres.value[i] - apart.corners.value[corner]);
     EXPECT_TRUE(spread[i] == expected || (std::isnan(spread[i]) && std::isnan(expected)));
   }
-  // And the image against the one without it.
+  // Compares the image with the one without the module.
   const Frame plain = Trace(scene.scene_, camera, { { &colors }, {} });
   for (std::size_t i = 0; i < wanted.Image().size(); ++i)
   {
@@ -144,7 +144,7 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
   ExpectSame(frame, wanted);
   ExpectSameColors(frame, wanted);
   EXPECT_TRUE(SameBytes(module.spread, spread));
-  // Without the module the image is as if it had never been.
+  // Repainting without the module gives the image of a pipeline that never had it.
   Repaint({ { &colors }, {} }, frame);
   ExpectSameColors(frame, plain);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
@@ -193,7 +193,7 @@ TEST_P(Repainted, FramesInPassesHaveTheSameColours)
   }
 }
 
-/// Buffers that are asked for beside the pipeline's, on all sheets and in all passes.
+/// Buffers that are requested in addition to the pipeline's, on all sheets and in all passes.
 TEST_P(Repainted, FramesInPassesHaveTheSameBuffers)
 {
   constexpr Buffer kWanted = kAll | Buffer::Layer | Buffer::Coverage | Buffer::Enclosure;
@@ -237,7 +237,7 @@ TEST_P(Repainted, PreviewsAreColouredAsTheFrameWillBe)
   }
 }
 
-/// Of a frame that was to be made at once some tiles are there, but none of their colours.
+/// An aborted frame without passes contains some tiles, but none of their colours.
 TEST_P(Repainted, AbortedFramesHaveNoColours)
 {
   const ColorMapping colors = LayeredColors();

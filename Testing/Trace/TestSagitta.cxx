@@ -33,7 +33,7 @@ std::vector<QuadricCase> AllQuadrics()
 }
 } // namespace
 
-/// From near and far, pairs from a millionth to a tenth apart.
+/// Pairs of rays from near and far, a millionth to a tenth apart.
 TEST(Sagitta, HoldsHitsBetween)
 {
   Random random(81);
@@ -141,7 +141,7 @@ TEST(Sagitta, HoldsHitsOverTriangles)
   }
 }
 
-/// Between the front and the back, and where one ray passes beside, nothing is known.
+/// Between front and back, and where one ray misses, there is no bound.
 TEST(Sagitta, IsInfiniteAcrossSilhouettes)
 {
   const Quadric sphere = MakeSphere(Vec3(0.0), 1.0);

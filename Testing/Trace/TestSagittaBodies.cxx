@@ -101,7 +101,7 @@ TEST(SagittaOfTori, HoldsSignsInLongDouble)
   }
 }
 
-/// Of any size and place.
+/// Tori of any size and position.
 TEST(SagittaOfTori, IsTheSameInOtherUnits)
 {
   for (const double unit : { 1e-30, 1e-6, 1e6, 1e30 })
@@ -157,7 +157,7 @@ TEST(SagittaOfConvexBodies, HoldsSignsInLongDouble)
   ofBox.Tell("box");
   EXPECT_GT(ofBox.closeKnown, 0.95 * ofBox.close);
   EXPECT_GT(ofBox.tight, 0.95 * ofBox.closeKnown);
-  // Of 60 planes about a ball: nearly all chords cross creases.
+  // A body of 60 planes about a ball: nearly all chords cross creases.
   Random random(12);
   std::vector<HalfSpace> all;
   for (int k = 0; k < 60; ++k)
@@ -181,9 +181,9 @@ TEST(SagittaOfConvexBodies, OfACrease)
   const Ray a{ Vec3(-0.01, 0.0, 3.0), down };
   const Ray b{ Vec3(0.01, 0.0, 3.0), down };
   const double sagitta = roof.Sagitta(a, *FirstHit(roof, a), b, *FirstHit(roof, b));
-  // 0.01 times the slope; what is told is over the slope 0.8, the faces' heights being across them.
+  // 0.01 times the slope 0.6 / 0.8: the distance 0.006 across a face, divided by 0.8.
   EXPECT_NEAR(sagitta, 0.0075, 1e-9);
-  // Seen from a side on which one of the faces is hidden there is nothing to tell.
+  // From a side on which one of the faces is hidden there is no bound.
   const Vec3 aside = glm::normalize(Vec3(1.0, 0.0, -0.5));
   const Ray c{ Vec3(-1.0, 0.0, 0.45), aside };
   const Ray d{ Vec3(-1.0, 0.0, 0.5001), aside };
@@ -245,7 +245,7 @@ TEST(SagittaOfBooleans, HoldsSignsInLongDouble)
   }
 }
 
-/// A bump between two hits on one plane, of which neither of them tells.
+/// A bump between two hits on one plane, which neither hit indicates.
 TEST(SagittaOfBooleans, SeesWhatStandsBetween)
 {
   const Vec3 down(0.0, 0.0, -1.0);
@@ -265,7 +265,7 @@ TEST(SagittaOfBooleans, SeesWhatStandsBetween)
   }
 }
 
-/// Of parts that nothing is known of, nothing is known.
+/// A part without a bound makes the bound infinite.
 TEST(SagittaOfBooleans, AsksAllParts)
 {
   class Unknown final : public Surface

@@ -22,7 +22,7 @@ double SagittaOf(const Surface& surface, const Ray& a, const Ray& b)
   return from && to ? surface.Sagitta(a, *from, b, *to) : std::nan("");
 }
 
-/// Of a convex body, from its triangles' planes.
+/// The side of a convex body, from its triangles' planes.
 LongSide ConvexSide(const std::vector<Triangles::Triangle>& all)
 {
   struct Face
@@ -241,8 +241,8 @@ TEST(SagittaOfTriangles, HoldsSignsInLongDouble)
   EXPECT_GT(rough.tight, 0.97 * rough.closeKnown);
 }
 
-/// Two triangles that share an edge are off by what the edge is over the chord; where they share
-/// none, or three share one, or one of them hides behind the other, nothing is known.
+/// Two triangles that share an edge differ from the chord by the edge's distance. Where they share
+/// none, three share one, or one hides behind the other, there is no bound.
 TEST(SagittaOfTriangles, OfACrease)
 {
   const Vec3 p(0.0, -1.0, 0.5);
@@ -255,7 +255,7 @@ TEST(SagittaOfTriangles, OfACrease)
   EXPECT_NEAR(SagittaOf(Triangles({ { p, q, left }, { q, right, p } }), a, b), 0.005, 1e-11);
   const Vec3 moved(0.0, 1.0, 0.5 + 1e-15);
   EXPECT_FALSE(std::isfinite(SagittaOf(Triangles({ { p, q, left }, { moved, right, p } }), a, b)));
-  // Of three the one on which the other hit is.
+  // Among three triangles, the one with the other hit.
   const Vec3 below(0.0, 0.0, -1.0);
   EXPECT_NEAR(
     SagittaOf(Triangles({ { p, q, left }, { q, right, p }, { p, q, below } }), a, b), 0.005, 1e-11);
@@ -275,7 +275,7 @@ TEST(SagittaOfPatches, HoldsSignsInLongDouble)
     double height;
     double tight;
   };
-  // What is flat is not off chords at all.
+  // Flat surfaces do not differ from chords.
   for (const Case& one : { Case{ "bicubic", { 3, 3 }, 0.3, 0.95 },
          Case{ "flat bicubic", { 3, 3 }, 0.0, 0.7 }, Case{ "degrees 2 and 5", { 2, 5 }, 0.4, 0.95 },
          Case{ "degree 1", { 1, 1 }, 0.5, 0.95 }, Case{ "degree 9", { 9, 9 }, 0.3, 0.9 } })

@@ -68,7 +68,7 @@ void ExpectHitsOf(const Surface& closed, const SampledFunction& f, const Searche
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-      // As far as the function's own rounding leaves it uncertain.
+      // The tolerance is the uncertainty from the function's own rounding.
       const double step = 1e-3;
       double before = 0.0;
       double after = 0.0;
@@ -132,7 +132,7 @@ TEST(SearchedSurface, ZerosAtSamplesCountOnce)
   // Touched, not crossed: seen where a sample lies.
   expect([](double x) { return (x - 4.0) * (x - 4.0); }, { 4.0 });
   expect([](double x) { return (x - 4.5) * (x - 4.5); }, {});
-  // Two between samples, until there are more of these.
+  // Two roots between samples are missed, until there are more samples.
   const auto pair = [](double x) { return (x - 4.25) * (x - 4.75); };
   expect(pair, {});
   EXPECT_EQ(at(pair, 17).size(), 2U);
@@ -154,7 +154,7 @@ TEST(SearchedSurface, LooksUpToWhereTheFunctionEnds)
       9);
     return HitsOf(surface, ray);
   };
-  // Between the last sample and the end, on both sides.
+  // Roots between the last sample and the end, on both sides.
   ASSERT_EQ(at(3.2, 1.5, 3.2001).size(), 1U);
   EXPECT_NEAR(at(3.2, 1.5, 3.2001)[0].t, 3.2, 1e-14);
   ASSERT_EQ(at(3.2, 3.1999, 5.5).size(), 1U);

@@ -14,7 +14,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// Of a surface a point, and one that is so far from all of it, at least.
+/// A point of a surface, and a point with at least a given distance from the whole surface.
 using PointOf = std::function<Vec3(Random& random)>;
 using PointBeside = std::function<Vec3(double away, Random& random)>;
 
@@ -28,7 +28,8 @@ Outline StripAbout(const Vec3& x, double length, Random& random)
     std::array{ start, start + 2.0 * along, start + 2.0 * (along + across), start + 2.0 * across });
 }
 
-/// `clear`: how many of strips that miss it by their own length have to be told, at least.
+/// `clear`: the least number of strips, among those that miss the surface by their own length, that
+/// are proven to miss it.
 void CheckStrips(const Surface& surface, const PointOf& on, const PointBeside& beside, double clear)
 {
   Random random(29);

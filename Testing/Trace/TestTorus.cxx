@@ -24,7 +24,7 @@ const auto kTorus = [](const std::vector<Float128>& in, const auto& x)
   return T(aa) * sphere * sphere - T(4 * R * R) * (T(aa) * square - along * along);
 };
 
-/// Through the tube's cross sections, from near and far, along the circle and from within.
+/// Rays through the tube's cross sections, from near and far, along the circle and from inside.
 std::vector<Ray> TubeRays(
   RaysAbout& random, const Vec3& centre, const Vec3& axis, double R, double r, int count)
 {
@@ -198,7 +198,7 @@ TEST(Torus, TouchesOnceAndIsUndecided)
   // The outer equator, and the circle on top, crossed twice.
   expectTouches({ { 2.5, -3.0, 0.0 }, { 0.0, 1.0, 0.0 } }, { 3.0 });
   expectTouches({ { -4.0, 0.0, 0.5 }, { 1.0, 0.0, 0.0 } }, { 2.0, 6.0 });
-  // Where nothing is exact.
+  // A torus whose numbers are all inexact.
   const Torus odd(Vec3(0.0), { 0.0, 0.0, 1.0 }, 2.1, 0.3);
   for (const double y : { 0.1, 0.7, 1.3, 1.9 })
   {

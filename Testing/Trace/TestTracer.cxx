@@ -192,7 +192,7 @@ TEST_P(Corners, AreOnThePlaneWhereTheCameraSeesThem)
   EXPECT_EQ(frame.counters.rays, all);
   EXPECT_EQ(frame.centres.Size(), 0U);
 
-  // And the same beside the centres.
+  // The same together with the centres.
   const Frame both = Trace(scene, camera, {}, { .centres = Buffer::Value, .corners = kAll });
   EXPECT_EQ(both.counters.rays, all + width * height);
   EXPECT_EQ(both.corners.verdict, corners.verdict);
@@ -296,7 +296,7 @@ TEST(Tracer, RaysGoOnBehindSurfacesOutsideOfTheMesh)
     Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Depth | Buffer::Verdict });
   EXPECT_EQ(frame.counters.exact, 400);
   EXPECT_EQ(frame.centres.depth[210], 5.0);
-  // And the nearer one wins where both are inside.
+  // The nearer plane wins where both are inside.
   block.WithPlane({ 0.0, 0.0, 0.5 }, { 0.0, 0.0, 1.0 });
   const Frame nearer =
     Trace(block.scene_, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Depth });
@@ -445,7 +445,7 @@ TEST(Tracer, FloatsChangeValuesAloneAndReportHowMuch)
               exact.centres.Size() * sizeof(Vec3)),
     0);
   EXPECT_GT(frame.counters.floatCheck.points, 100);
-  // Of values up to 111; 17 roundoffs of a float.
+  // For values up to 111: 17 roundoffs of a float.
   EXPECT_GT(frame.counters.floatCheck.largest, 0.0);
   EXPECT_LT(frame.counters.floatCheck.largest, 111 * 1e-6);
   double largest = 0.0;

@@ -23,7 +23,7 @@ Vec3 Towards(const Vec3& from, const Vec3& to)
   return ToDouble(Unit(Minus(ToLong(to), ToLong(from))));
 }
 
-/// From a point to corners, points of edges and points of faces.
+/// Rays from a point to corners, points of edges and points of faces.
 std::vector<Ray> RaysTo(const std::vector<Triangle>& faces, const Vec3& from, RandomRays& random)
 {
   std::vector<Ray> rays;
@@ -57,7 +57,7 @@ TEST(Triangles, NothingSlipsThroughBetweenThem)
       ASSERT_EQ(hits.size(), 1U);
       ++rays;
     }
-    // In and out again: two, or one where it only touches a corner or an edge.
+    // Rays enter and leave: two hits, or one where a ray only touches a corner or an edge.
     const Vec3 outside =
       centre + radius * random.Size(0.5, 3.0) * Towards(Vec3(0.0), random.Vector(1.0));
     for (const auto& hits : MeetAll(ball, RaysTo(faces, outside, random)))
@@ -145,7 +145,7 @@ TEST(Triangles, HitsAreOnRayAndTriangle)
     const LongVec3 p = Minus(ToLong(b), ToLong(a));
     const LongVec3 q = Minus(ToLong(c), ToLong(a));
     const long double longest = std::max(Dot(p, p), Dot(q, q));
-    // What the rounding of edges makes of the plane, within the triangle.
+    // The error of the plane within the triangle from the rounding of its edges.
     const long double shape =
       16.0L * kUnitRoundoff * longest * std::sqrt(longest) / std::sqrt(Dot(normal, normal));
     const auto hits = MeetAll(surface, { ray })[0];
@@ -182,7 +182,7 @@ TEST(Triangles, AllHitsInOrderAndWithinTheInterval)
   {
     sheets.push_back({ Vec3(-1.0, -1.0, z), Vec3(2.0, -1.0, z), Vec3(-1.0, 2.0, z) });
   }
-  // One that is met nowhere: it has no area.
+  // A triangle without area, which no ray meets.
   sheets.push_back({ Vec3(-1.0, 0.0, 4.0), Vec3(0.0, 0.0, 4.0), Vec3(1.0, 0.0, 4.0) });
   const Triangles surface(sheets);
   const Ray up{ Vec3(0.0), { 0.0, 0.0, 1.0 } };
@@ -197,7 +197,7 @@ TEST(Triangles, AllHitsInOrderAndWithinTheInterval)
   EXPECT_EQ(HitsOf(surface, up, 1.5, 1.9).size(), 0U);
   EXPECT_EQ(HitsOf(surface, up, 2.0, 2.0).size(), 1U);
   EXPECT_TRUE(HitsOf(surface, { Vec3(0.0), { 0.0, 0.0, -1.0 } }).empty());
-  // In a triangle's plane, and without end.
+  // Rays in a triangle's plane, and without an end.
   EXPECT_TRUE(HitsOf(surface, { Vec3(-5.0, 0.0, 1.0), { 1.0, 0.0, 0.0 } }).empty());
   EXPECT_TRUE(HitsOf(surface, { Vec3(NAN), { 0.0, 0.0, 1.0 } }).empty());
   // The same triangle twice: a surface of one sheet.
@@ -216,7 +216,7 @@ TEST(Triangles, NormalsAreTheTriangles)
   EXPECT_EQ(surface.Normal(point), Vec3(1.0, 0.0, 0.0));
 }
 
-/// Samples tell the triangle, and where on it.
+/// Samples store the triangle and the position on it.
 TEST(Triangles, SamplesNameThePiece)
 {
   const Block block;

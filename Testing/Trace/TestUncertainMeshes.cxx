@@ -11,7 +11,8 @@ namespace
 {
 constexpr double kUncertainty = 1e-6;
 constexpr double kSought = 0.05;
-/// In xi: what is nearer to the element's end may lie there, up to its uncertainty.
+/// Distance in xi from the element's end within which a point may be outside, up to the
+/// uncertainty.
 constexpr double kRim = 1e-4;
 
 struct UncertainElement
@@ -54,7 +55,7 @@ struct UncertainElement
   Field field;
 };
 
-/// Of how many faces of its shape a point of the reference element is near.
+/// The number of faces of its shape that are near a point of the reference element.
 int NearFaces(Shape shape, const Vec3& xi)
 {
   int count = 0;

@@ -5,7 +5,7 @@
 
 #include <map>
 
-// Where a block's inner faces are on an image, in long double: by going over it in small steps.
+// The positions of a block's inner faces on an image, in long double, from small steps over it.
 namespace pixelexact::testing
 {
 /// 0 on the block's inner faces, by direction: Block::Map with a, b, c = 0.
@@ -79,7 +79,7 @@ public:
     return nearest;
   }
 
-  /// Whether one layer is seen everywhere within so many pixels.
+  /// Whether only one layer is visible within `within` pixels.
   [[nodiscard]] bool IsAlone(double x, double y, int layer, double within) const
   {
     for (int k = 0; k < 24; ++k)
@@ -136,7 +136,7 @@ private:
         const Seen middle = At((a.x + b.x) / 2, (a.y + b.y) / 2);
         ((middle.faces[d] > 0) == (a.faces[d] > 0) ? a : b) = middle;
       }
-      // Not where a layer's other side, or nothing, lies between.
+      // Not where a layer's other side, or the background, is between.
       if (a.layer == b.layer && std::fabs(a.faces[d] - b.faces[d]) < 1e-4L)
       {
         Cells[{ static_cast<int>(std::floor(a.x)), static_cast<int>(std::floor(a.y)) }].push_back(

@@ -49,7 +49,7 @@ inline LongHits PlaneHits(const Vec3& origin, const Vec3& normal)
   { return std::vector{ Dot(n, Minus(o, ray.origin)) / Dot(n, ray.direction) }; };
 }
 
-/// Of a cylinder about a unit axis; of a sphere where that is zero.
+/// The hits of a cylinder about a unit axis; of a sphere where the axis is zero.
 inline LongHits RoundHits(const Vec3& point, const Vec3& axis, double radius)
 {
   return
@@ -66,13 +66,13 @@ inline LongHits RoundHits(const Vec3& point, const Vec3& axis, double radius)
   };
 }
 
-/// Of the k-th hit: another one beside where a sheet begins or ends.
+/// The sheet of the k-th hit, which changes where a sheet begins or ends.
 inline std::size_t SheetOf(std::size_t k, const std::vector<long double>& all)
 {
   return 16 * all.size() + k;
 }
 
-/// What is seen at an image position: which of the ray's sheets, and the field's value there.
+/// The true result at an image position: the ray's visible sheet, and the field's value there.
 struct TrueSight
 {
   std::size_t sheet;
@@ -139,14 +139,14 @@ public:
     return edge;
   }
 
-  /// Of curved surfaces edges that see the surface neither at an end nor on a sixteenth are not
-  /// asked for.
+  /// On curved surfaces, edges that meet the surface neither at an end nor at a sixteenth are
+  /// skipped.
   [[nodiscard]] static bool IsAsked(const Edge& edge)
   {
     return edge.isSeen || edge.longest > kSamples / 16;
   }
 
-  /// No pixel is Out on whose edge a value is taken, none In on whose edge none is met.
+  /// Checks that no pixel is Out with a value on its edge, and none is In without one.
   void Check(const std::vector<std::uint8_t>& verdicts, bool isFlat) const
   {
     int wrong = 0;

@@ -53,7 +53,7 @@ public:
     Table = std::make_unique<FaceTable>(locator_->Index());
   }
 
-  /// Along x, from lower x.
+  /// A ray along x, from lower x.
   static Ray RayAt(double y, double z) { return { { -3.0, y, z }, { 1.0, 0.0, 0.0 } }; }
 
   MeshBuilder Blocks;
