@@ -1,4 +1,4 @@
-"""Filters, picks, selections and what is told of the data are in two and three processes those of one."""
+"""Filters, picks, selections and reports give the same in two and three processes as in one."""
 
 import os
 import shutil

@@ -177,7 +177,7 @@ class Pipelines(unittest.TestCase):
                     found = scene.probe(filtered, points)
                 inside = found.get("Verdict", numpy.zeros(1)) == 1
                 if inside.any():
-                    # Made anew of nodal values where they were lost.
+                    # Recomputed from nodal values where they were lost.
                     self.assertIn(expected, ("kept", "lost"))
                     self.assertEqual(heard, [""])
                     # Nothing that is given is wrong.
@@ -259,7 +259,7 @@ class Pipelines(unittest.TestCase):
                 simple.ResetSession()
 
     def test_solver_coefficients(self):
-        """What cannot be made anew of nodal values: kept packed, and lost or refused, never wrong."""
+        """Coefficients that nodal values do not determine: kept packed, else lost or refused, never wrong."""
         folder = "nek_tet_varp"
         files = [scene.data(f"{folder}/{folder}.xml")]
         table = scene.oracle(f"{folder}/oracle.csv")

@@ -70,7 +70,7 @@ class Selection(unittest.TestCase):
         self.assertLess(len(cells), total)
 
     def test_behind_a_filter_the_cells_are_its_own(self):
-        # Not the source's, whose numbers they keep for what is told of them.
+        # These are not the source's numbers, which elements keep for reports.
         part = simple.Threshold(
             Input=simple.PixelExactPack(Input=self.grid), Scalars=["POINTS", "u"]
         )

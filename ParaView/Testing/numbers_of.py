@@ -84,7 +84,7 @@ if kind != "blocks":
     truncated = PixelExactTruncate(Input=grid, Order=1)
     whole = servermanager.Fetch(truncated).GetFieldData()
     found["truncated"] = rows(whole.GetArray(field + "_LargestChange"))
-    # Processes without cells have no errors to tell.
+    # Processes without cells have no errors to report.
     for filter in (truncated, PixelExactCertify(Input=grid), PixelExactSubdivide(Input=grid)):
         filter.UpdatePipeline()
         found[filter.SMProxy.GetXMLName()] = filter.GetDataInformation().GetNumberOfCells()

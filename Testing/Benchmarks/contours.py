@@ -8,7 +8,7 @@
 Cases are those of suite.py, cut by a plane through the middle. Of 1 and of 10 values: times of a
 frame over one without, first frame and later ones, taken in turns. --levels: pixels undecided and
 times of the paper's algorithm (figures 5 and 6) at several subdivisions, beside the project's own.
-A case that takes longer than --seconds is told as such. Markdown tables on stdout.
+A case that takes longer than --seconds is reported as such. Markdown tables on stdout.
 """
 
 import argparse
@@ -56,7 +56,7 @@ def range_of(tool, options, folder):
 
 
 def settled(contours, pixels):
-    """Shares of pixels: by blocks of them, by whole edges, by halved ones; in per cent."""
+    """Shares of pixels: by blocks of them, by whole edges, by subdivided ones; in per cent."""
     return " | ".join(f"{100 * contours[by] / pixels:.1f}"
                       for by in ("by_blocks", "by_edges", "by_parts"))
 

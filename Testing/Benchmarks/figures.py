@@ -6,8 +6,8 @@
 
 FOLDER holds the cases that Data/ is too small for; those that are not there are left out. All files
 are drawn one after the other, N times: of each the run that took least counts, by the clock. "start"
-is what lies before and behind the stages that the program tells: loading libraries, options, the end
-of the process. A Markdown table on stdout, in milliseconds.
+is the time outside of the stages that the program reports: loading libraries, options, the end of the
+process. A Markdown table on stdout, in milliseconds.
 """
 import argparse
 import json

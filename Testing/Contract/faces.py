@@ -165,7 +165,7 @@ def actor_of(view):
 
 
 def camera_of(view):
-    """As it is told; null: it is placed."""
+    """The given camera; null: it is placed automatically."""
     told = view["camera"]
     if "view" in told:
         return None

@@ -75,7 +75,7 @@ TEST(FaceContacts, ASmallElementCoversAPartOfALargeOne)
   {
     MeshBuilder mesh;
     AddCube(mesh, { 0.0, 0.0, 0.0 });
-    // Where none of the large face's own points is: it is told by the small one.
+    // The small face contains none of the large face's sample points; its own points detect it.
     AddCube(mesh, { 1.0, 0.45, 0.45 }, {}, side);
     const FaceTable faces = TableOf(mesh);
     EXPECT_EQ(CountsOf(faces), (Counts{ 10, 0, 1, 1 })) << side;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Verdicts on elements whose det J is known in closed form, down to the edge of what rounding
-// allows to tell.
+// Verdicts on elements whose det J is known in closed form, down to the limit that rounding sets.
 #include "RangeCases.h"
 
 #include "Core/Element/MeshRanges.h"

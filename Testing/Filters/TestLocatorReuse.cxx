@@ -253,7 +253,7 @@ TEST_F(ConvertedSteps, SeeChangesInPlace)
   const auto grid = Step(0);
   EXPECT_FALSE(Reuses(grid));
   grid->GetPoints()->SetPoint(0, -0.5, 0.0, 0.0);
-  grid->Modified(); // and nobody told the points
+  grid->Modified(); // the points are not marked as modified
   EXPECT_FALSE(Reuses(grid));
   double x[3];
   const double corner[3] = { -1.0, -1.0, -1.0 };

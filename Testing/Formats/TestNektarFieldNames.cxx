@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the beginning of a field file tells of its fields.
+// Names of the fields from the beginning of a field file.
 #include "Formats/Nektar/Files/FileParts.h"
 
 #include <gtest/gtest.h>

@@ -56,7 +56,7 @@ mountpoint -q "$root/dev" || mount --bind /dev "$root/dev"
 
 rm -rf "$root/src/new" && mkdir -p "$root/src/new"
 git -C "$source" archive HEAD | tar -x -C "$root/src/new"
-# Files that are as they were keep their times: not all is built anew.
+# Unchanged files keep their times, so that not everything is built again.
 mkdir -p "$root/src/pixelexact"
 chroot "$root" sh -c 'command -v rsync >/dev/null || { apt-get update -q && apt-get install -q -y --no-install-recommends rsync; }' >/dev/null
 chroot "$root" rsync -rlpc --delete --exclude /build --exclude /build-paraview /src/new/ /src/pixelexact/

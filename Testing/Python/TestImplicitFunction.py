@@ -280,7 +280,7 @@ class OtherUses(unittest.TestCase):
         self.expect(fails, "RuntimeError: no more")
 
     def test_within_sums(self):
-        """They are asked point by point, and their words are told all the same."""
+        """They are evaluated point by point, and their messages are reported all the same."""
 
         def fails(x):
             return 1 / 0

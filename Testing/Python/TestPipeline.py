@@ -93,7 +93,7 @@ class Pipeline(unittest.TestCase):
         probed = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("u"))
         numpy.testing.assert_allclose(self.buffer("Value")[inside], probed, rtol=0, atol=1e-12)
 
-    def test_a_changed_source_is_drawn_anew(self):
+    def test_a_changed_source_is_drawn_again(self):
         self.window.Render()
         self.window.Render()
         self.assertEqual(self.mapper.GetNumberOfTraces(), 1)
@@ -130,7 +130,7 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(self.mapper.GetNumberOfModelBuilds(), 2)
         numpy.testing.assert_array_equal(self.buffer("Value"), expected)
         self.assertLess(self.mapper.GetBounds()[0], self.mapper.GetBounds()[1])
-        # As stock mappers' of polygons: not read anew for each frame.
+        # As with stock mappers of polygons, it is not read again for each frame.
         self.plane.SetOrigin(0, 0, 0.1)
         self.window.Render()
         self.assertEqual(self.mapper.GetNumberOfModelBuilds(), 2)

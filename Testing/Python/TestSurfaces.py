@@ -94,7 +94,7 @@ class Surfaces(unittest.TestCase):
                 self.assertEqual(exact.sum(), 0)
                 continue
             self.assertGreater(exact.sum(), least)
-            # On a face of the element that they tell, up to rounding.
+            # The hits are on a face of their element, up to rounding.
             xi = scene.buffer("Xi")[exact]
             self.assertLess(np.abs(np.abs(xi).max(axis=1) - 1).max(), 1e-14)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions without a closed form in windows: how they are searched for, and what is told of it.
+// Functions without a closed form in windows: the search for their hits, and its warnings.
 #include "CutScene.h"
 
 #include "vtkHighOrderLayer.h"

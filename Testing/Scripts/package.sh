@@ -4,8 +4,8 @@
 #   package.sh FOLDER [RELEASE [ROOTS]]   FOLDER: where they are; RELEASE: what they were built on
 #                                         (default: bookworm)
 #
-# First the program, then what Python needs, then what programs in C++ are built with. The root is
-# made by debootstrap, in ROOTS (default: /var/tmp/pixelexact-roots) and anew each time; the
+# First the program, then what Python needs, then what programs in C++ are built with. debootstrap
+# makes a new root each time, in ROOTS (default: /var/tmp/pixelexact-roots); the
 # environment's MATRIX_MIRROR and MATRIX_STALE are those of Testing/Matrix/run.sh.
 # Exit status 77: no clean system could be made here (no mirror within reach, no right to enter it).
 set -euo pipefail

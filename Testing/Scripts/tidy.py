@@ -7,8 +7,8 @@ the rest, in another order for each commit, until the time is used up.
     tidy.py --advance                before a new piece of work: what is committed now has been read
 
 tidy.json records the commit up to which changes have been read, and by which clang-tidy. Where that
-cannot be told, or the configuration or the dependencies changed, no source comes first. How many
-were not read is told; it is not a failure.
+is unknown, or the configuration or the dependencies changed, no source comes first. The number of
+sources that were not read is reported; it is not a failure.
 """
 
 import argparse
@@ -54,7 +54,7 @@ def version():
 
 
 def changed_since(base):
-    """Paths that differ from `base`, uncommitted ones included; None where that cannot be told."""
+    """Paths that differ from `base`, uncommitted ones included; None where that is unknown."""
     if git("merge-base", "--is-ancestor", base, "HEAD") is None:
         return None
     tracked = git("diff", "--name-only", base)

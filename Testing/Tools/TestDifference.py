@@ -28,7 +28,7 @@ def lagrange_grid(function, cells, order):
         points += own
     values = [float(function(*point)) for point in points]
     text = plain_grid(points, elements, [("u", values)])
-    # VTK's readers number the nodes of files before version 2.2 anew.
+    # VTK's readers renumber the nodes of files before version 2.2.
     return text.replace('"1.0" byte_order', '"2.2" byte_order')
 
 

@@ -168,7 +168,7 @@ class Nodes(FileTest):
             index = vtkLagrangeHexahedron.PointIndexFromIJK(i, j, k, [3, 3, 3])
             points[index] = g[i], g[j], g[k]
         text = plain_grid(points, [(72, list(range(64)))], [("u", points[:, 0] ** 3)])
-        # VTK's readers number the nodes of files before version 2.2 anew.
+        # VTK's readers renumber the nodes of files before version 2.2.
         path = self.write("gll.vtu", text.replace('"1.0" byte_order', '"2.2" byte_order'))
         self.assertIn("--nodes gll", self.succeeds("info", path).stderr)
         self.assertEqual(self.succeeds("info", path, "--nodes", "gll").stderr, "")

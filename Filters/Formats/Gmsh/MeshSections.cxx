@@ -144,8 +144,9 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
       {
         tag = scanner.Int("an element's tag");
       }
-      // The tags are physical group, entity, number of partitions, and these; a negative one has
-      // the element as a ghost. Before version 2.2 there is one partition without their number.
+      // The tags are physical group, entity, number of partitions, and these. A negative number is
+      // a partition in which the element is a ghost. Before version 2.2 there is one partition,
+      // without their number.
       const bool counts = scanner.GetEncoding().version >= kCountsPartitions;
       const auto partitions =
         counts && tags.size() > 3 && tags[2] > 0 ? static_cast<std::size_t>(tags[2]) : 0;

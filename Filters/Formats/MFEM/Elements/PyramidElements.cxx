@@ -256,7 +256,7 @@ ElementBasis FuentesH1(const CollectionName& name)
 }
 
 /// Fuentes's discontinuous space is the whole tensor space. Where the line has end points, MFEM
-/// scales the heights to end below Gauss's last point, because two nodes must not coincide in the
+/// scales the heights to end at Gauss's last point, because two nodes must not coincide in the
 /// apex.
 ElementBasis FuentesL2(const CollectionName& name)
 {
