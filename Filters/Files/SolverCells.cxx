@@ -28,8 +28,8 @@ namespace pixelexact
 {
 namespace
 {
-/// In element sizes: nodes of one name that are closer than this become one point. The cells depend
-/// on it, the elements do not.
+/// Nodes with the same name whose distance is below this, in element sizes, become one point. This
+/// affects the cells, not the elements.
 constexpr double kSamePoint = 1e-9;
 
 /// The degrees, along VTK's r, s and t, of a cell that holds a space's functions.
@@ -50,7 +50,7 @@ CellDegrees DegreesOf(const Space& space)
   }
 }
 
-/// A node on a vertex, edge or face, by the points at the corners and its weights there.
+/// The name of a node on a vertex, edge or face: the points at the corners and its weights there.
 struct NodeName
 {
   struct Corner
@@ -86,7 +86,7 @@ NodeName NameOf(const CellNode& node, std::span<const vtkIdType> corners)
   return name;
 }
 
-/// The points of a grid. Nodes that have one name and one place get a common point.
+/// The points of a grid. Nodes with the same name and position get a common point.
 template <class Name, class Hash = std::hash<Name>>
 class PointNumbering
 {
@@ -98,7 +98,7 @@ public:
 
   vtkIdType Find(const Name& name, const Vec3& x, double size)
   {
-    // A name may have several places, as vertices of a periodic mesh do: a list of points for each.
+    // A name may have several positions, as for vertices of a periodic mesh, so it has a list.
     const auto [at, isNew] = First.try_emplace(name, -1);
     for (vtkIdType p = at->second; p >= 0;)
     {
@@ -221,7 +221,7 @@ private:
   PointNumbering<NodeName, NameHash> Nodes;
 };
 
-/// What VTK needs where degrees of a cell differ, or cannot be read off its number of points.
+/// Stores the degrees of cells, which VTK needs where they differ by direction.
 void StoreDegrees(const CellLayout& layout, vtkUnstructuredGrid* grid)
 {
   const bool areUniform = std::ranges::all_of(

@@ -12,20 +12,19 @@
 
 class vtkUnstructuredGrid;
 
-// VTK's cells of a solver's grid: which nodes they have, where these lie, and the values of fields
-// there.
+// VTK's cells of a solver's grid: their nodes, the nodes' positions, and the fields' values there.
 namespace pixelexact
 {
 struct Expansion;
 struct Field;
 struct Mesh;
 
-/// Which cell each element becomes.
+/// The cell of each element.
 struct CellLayout
 {
   std::vector<CellDegrees> degrees; ///< per element
-  /// Whether elements that meet have their points in common there. Otherwise each has its own, so
-  /// that values may jump.
+  /// Whether neighbouring elements share points. Otherwise each has its own, so that values may
+  /// jump.
   bool sharesPoints = true;
 
   /// Points of all cells, counted per cell.
@@ -35,12 +34,12 @@ struct CellLayout
 /// Linear cells between the elements' vertices.
 [[nodiscard]] CellLayout CornerLayout(const Mesh& mesh);
 
-/// Lagrange cells that hold the map and the fields: per direction the largest degree of them, at
-/// most kMaxCellDegree; linear cells of pyramids, since VTK has no other of their degrees. Elements
-/// share points if all fields of degree 1 or more are continuous.
+/// Lagrange cells that represent the map and the fields: per direction the largest degree of these,
+/// at most kMaxCellDegree. Pyramids become linear cells, because VTK has no Lagrange pyramids.
+/// Elements share points if all fields of degree 1 or more are continuous.
 [[nodiscard]] CellLayout NodeLayout(const Mesh& mesh, const std::vector<SolverField>& fields);
 
-/// A kind of cell, mirrored where VTK would take its volume for negative otherwise.
+/// A kind of cell, mirrored where VTK would compute a negative volume otherwise.
 struct CellOfKind
 {
   CellNodes nodes;

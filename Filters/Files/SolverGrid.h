@@ -9,8 +9,8 @@
 
 class vtkUnstructuredGrid;
 
-// From what a solver's files hold to a grid that carries it. Beside the coefficients the grid has
-// VTK's cells of a CellLayout, for VTK's own filters and windows:
+// Converts a solver's model to a grid. In addition to the coefficients, the grid has VTK's cells of
+// a CellLayout, for VTK's own filters and windows:
 //
 //   CellData   Attribute           int32      the file's number for the element's group
 //              BoundaryAttribute   int32 x 6  per face of the cell as VTK numbers them, the first
