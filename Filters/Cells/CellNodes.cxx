@@ -181,8 +181,8 @@ bool CellNodes::IsWoundAgainstLinear() const
   }
   static const bool isAgainst = []
   {
-    const std::vector<Vec3>& corners = LinearCellOf(Shape::Prism).corners;
-    return VolumeOfTetrahedra(corners) * VolumeOf(VTK_WEDGE, corners) < 0.0;
+    const std::vector<Vec3>& prism = LinearCellOf(Shape::Prism).corners;
+    return VolumeOfTetrahedra(prism) * VolumeOf(VTK_WEDGE, prism) < 0.0;
   }();
   return isAgainst;
 }

@@ -51,8 +51,8 @@ struct ContourMethod
   std::optional<int> subdivisions;
   // Limits of the project's algorithm.
   int edgeLevels = 8; ///< of an edge in one element
-  int crossings = 12;   ///< of an edge that leaves its element
-  int parts = 16;       ///< open parts of an edge at once
+  int crossings = 12; ///< of an edge that leaves its element
+  int parts = 16;     ///< open parts of an edge at once
   static constexpr int kAny = std::numeric_limits<int>::max();
   int samples = 20; ///< of an edge on a plane whose ends are on one side
   /// Work budget of a frame for samples and boxes of elements, in about nanoseconds (EdgeWork).
