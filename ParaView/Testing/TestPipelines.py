@@ -196,7 +196,7 @@ class Pipelines(unittest.TestCase):
         self.check(PACKED, packed)
 
     def test_solver_cells_that_are_changed(self):
-        """Their cells are linear: nothing advises a conversion, and none is done."""
+        """Where their cells are linear, nothing advises a conversion, and none is done."""
         folder = "nek_tet_varp"
         files = [scene.data(f"{folder}/{folder}.xml")]
         table = scene.oracle(f"{folder}/oracle.csv")
@@ -205,7 +205,7 @@ class Pipelines(unittest.TestCase):
         for make in (transform, warp, cut_off):
             for before in (lambda source: source, packed):
                 with self.subTest(make.__name__ + (" packed" if before is packed else "")):
-                    source = before(simple.PixelExactNektarReader(FileName=files))
+                    source = before(simple.PixelExactNektarReader(FileName=files, Cells="Corners"))
                     source.UpdatePipeline()
                     filtered = make(source)
                     for last in (filtered, simple.PixelExactConvert(Input=filtered)):
@@ -215,6 +215,16 @@ class Pipelines(unittest.TestCase):
                         self.assertIn("a conversion would lose", heard[0])
                         self.assertNotIn("PixelExact Convert)", heard[0])
                     simple.ResetSession()
+
+    def test_lagrange_cells_that_are_moved_can_be_converted(self):
+        folder = "nek_tet_varp"
+        files = [scene.data(f"{folder}/{folder}.xml")]
+        table = scene.oracle(f"{folder}/oracle.csv")
+        points, values = scene.numbers(table, "x", "y", "z"), scene.numbers(table, "u")[:, 0]
+        moved = transform(simple.PixelExactNektarReader(FileName=files))
+        found = scene.probe(simple.PixelExactConvert(Input=moved), points + [0.1, 0.0, 0.0])
+        self.assertTrue((found["Verdict"] == 1).all())
+        self.assertLess(numpy.abs(found["u"].ravel() - values).max(), 1e-12)
 
     def test_solver_fields_that_are_changed(self):
         """An array that shows a solver's field and has other values is refused, whoever changed it."""

@@ -105,7 +105,7 @@ class Representation(unittest.TestCase):
         self.view.CameraFocalPoint = middle
         self.view.CameraPosition = [middle[0], middle[1], middle[2] + 10.0]
         self.view.CameraParallelScale = 0.6 * (box[3] - box[2])
-        representation = show(source, ("CELLS", "pressure"))
+        representation = show(source, ("POINTS", "pressure"))
         representation.CutFunction.Normal = [0, 0, 1]
         representation.CutFunction.Origin = middle
         rgb = scene.pixels(self.view, "plane_mfem.png")
@@ -119,9 +119,9 @@ class Representation(unittest.TestCase):
     def test_vector_component(self):
         name = "mfem_escher_tet_darcy_p3"
         source = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"))
-        representation = show(source, ("CELLS", "flux", "Magnitude"))
+        representation = show(source, ("POINTS", "flux", "Magnitude"))
         magnitude = representation_range(representation)
-        simple.ColorBy(representation, ("CELLS", "flux", "X"))
+        simple.ColorBy(representation, ("POINTS", "flux", "X"))
         component = representation_range(representation)
         self.assertGreaterEqual(magnitude[0], 0.0)
         self.assertLess(component[0], 0.0)
@@ -312,7 +312,7 @@ class Representation(unittest.TestCase):
     def test_another_array_of_that_name(self):
         """Averages at points are not the field, whose values cells have."""
         name = "mfem_escher_tet_darcy_p3"
-        reader = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"))
+        reader = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"), Cells="Corners")
         averaged = simple.CellDatatoPointData(reader, PassCellData=1)
         representation = simple.Show(averaged)
         representation.SetRepresentationType("PixelExact")

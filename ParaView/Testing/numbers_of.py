@@ -93,7 +93,7 @@ view = CreateView("RenderView")
 view.ViewSize, view.UseFXAA, view.OrientationAxesVisibility = [320, 240], 0, 0
 shown = Show(grid, view)
 shown.SetRepresentationType("PixelExact")
-ColorBy(shown, ("POINTS" if files[0].endswith(".vtu") else "CELLS", field))
+ColorBy(shown, ("POINTS", field))
 shown.CutFunction.Origin, shown.CutFunction.Normal = middle, [0, 0, 1]
 if kind == "lines":
     shown.PixelExactContours = [0.1]

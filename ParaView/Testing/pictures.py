@@ -41,7 +41,7 @@ elif kind.startswith("iso"):
     shown.JumpWalls = int(kind.endswith("walls"))
     shown.ColorArrayName = [None, ""]
 else:
-    ColorBy(shown, ("POINTS" if files[0].endswith(".vtu") else "CELLS", "u"))
+    ColorBy(shown, ("POINTS", "u"))
     GetColorTransferFunction("u").RescaleTransferFunction(-1.0, 1.0)
     shown.CutFunction.Normal = [0, 0, 1]
     if "contours" in kind:
