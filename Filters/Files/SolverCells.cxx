@@ -58,7 +58,7 @@ struct NodeName
     vtkIdType point = -1;
     std::int64_t weight = 0;
 
-    auto operator<=>(const Corner&) const = default;
+    bool operator==(const Corner&) const = default;
   };
   std::array<Corner, 4> corners{};
 
@@ -70,19 +70,24 @@ struct NameHash
   std::size_t operator()(const NodeName& name) const { return XXH3_64bits(&name, sizeof(name)); }
 };
 
+/// The node is not inside the cell, so that at most four corners have a weight.
 NodeName NameOf(const CellNode& node, std::span<const vtkIdType> corners)
 {
   NodeName name;
   std::size_t count = 0;
-  for (std::size_t c = 0; c < corners.size(); ++c)
+  for (std::size_t c = 0; c < corners.size() && count < name.corners.size(); ++c)
   {
-    if (node.weight[c] != 0)
+    if (node.weight[c] == 0)
     {
-      name.corners[count++] = { corners[c], node.weight[c] };
+      continue;
     }
+    std::size_t at = count++;
+    for (; at > 0 && name.corners[at - 1].point > corners[c]; --at)
+    {
+      name.corners[at] = name.corners[at - 1];
+    }
+    name.corners[at] = { corners[c], node.weight[c] };
   }
-  std::ranges::sort(
-    name.corners.begin(), name.corners.begin() + static_cast<std::ptrdiff_t>(count));
   return name;
 }
 
