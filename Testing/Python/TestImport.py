@@ -42,6 +42,7 @@ CLASSES = [
     "vtkHighOrderTriangleSurface",
     "vtkHighOrderTruncate",
     "vtkHighOrderUnpack",
+    "vtkHighOrderWarp",
     "vtkImplicitCallback",
     "vtkImplicitTorus",
     "vtkMFEMReader",

@@ -3,7 +3,6 @@
 #include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Commands/CertifiedFacts.h"
-#include "Input/Continuity.h"
 #include "Input/Input.h"
 #include "Input/OrderCounts.h"
 #include "Input/SolverFacts.h"
@@ -14,6 +13,7 @@
 #include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Counted.h"
 #include "Formats/Slab.h"
+#include "Grids/Continuity.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Input/Continuity.h"
+#include "Grids/Continuity.h"
 
 #include "Core/Location/Sample.h"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef Continuity_h
+#define Continuity_h
 
 #include "Core/Element/Mesh.h"
+#include "PixelExactFiltersModule.h"
 
 #include <limits>
 #include <span>
@@ -10,7 +12,7 @@
 namespace pixelexact
 {
 /// How a field passes from element to element.
-struct Continuity
+struct PIXELEXACTFILTERS_EXPORT Continuity
 {
   std::int64_t comparisons = 0; ///< of values at the same place; 0: nothing is known
   double largestJump = 0.0;     ///< of any component
@@ -25,5 +27,7 @@ struct Continuity
 /// edges and faces, matched by place. A hint, not a proof: it looks at these points alone, elements
 /// that do not meet face to face (hanging nodes) share few of them, and of very large meshes it
 /// looks at the first elements only. Parallel; values that are not finite are left out.
-std::vector<Continuity> CompareAcrossElements(const Mesh& mesh, std::span<const Field> fields);
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<Continuity> CompareAcrossElements(
+  const Mesh& mesh, std::span<const Field> fields);
 } // namespace pixelexact
+#endif

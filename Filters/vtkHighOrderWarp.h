@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderWarp
+ * @brief   deforms a high-order mesh by a field, with the exact map of the deformed shape
+ *
+ * The output is the input with the map x + ScaleFactor * u on each element. u is a vector field,
+ * `vec(u,v,w)` of scalar fields, or a scalar field times Direction (as vtkWarpScalar moves points).
+ * The map is computed from the coefficients of map and field, in the space that contains both, so
+ * location, proofs and pictures of the deformed shape are as exact as those of the input. The
+ * points move with it.
+ *
+ * Other fields are the same functions of the reference coordinates xi. Derivatives in expressions
+ * are those by the deformed coordinates. H(curl), H(div) and density fields depend on the map; they
+ * are left out, with a warning.
+ *
+ * Expressions other than vec(), mapped, rational and discontinuous fields, and displacements out of
+ * the plane of a 2-D mesh are errors, which name the remedy. A scale at which elements invert is no
+ * error: `pixelexact info --warp-limit` finds it.
+ *
+ * The input is a grid that carries high-order coefficients, or a plain vtkUnstructuredGrid, which
+ * is converted. Composite data are deformed block by block.
+ */
+
+#ifndef vtkHighOrderWarp_h
+#define vtkHighOrderWarp_h
+
+#include "MeshFilter.h"
+#include "PixelExactFiltersModule.h"
+#include "vtkPassInputTypeAlgorithm.h"
+
+#include <string> // for names
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderWarp
+  : public PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm)
+{
+public:
+  static vtkHighOrderWarp* New();
+  vtkTypeMacro(vtkHighOrderWarp, PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm));
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The displacement: the name of a vector field, or of a scalar field with a Direction, or
+   * vec(u,v,w) of scalar fields or 0; in the plane vec(u,v). Empty: the first array that the filter
+   * is told to process (SetInputArrayToProcess).
+   */
+  vtkSetMacro(FieldName, std::string);
+  vtkGetMacro(FieldName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * The scale of the displacement, a finite number; 1 by default.
+   */
+  vtkSetMacro(ScaleFactor, double);
+  vtkGetMacro(ScaleFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * The direction of a scalar's displacement, which is not normalised. (0, 0, 0), the default:
+   * none.
+   */
+  vtkSetVector3Macro(Direction, double);
+  vtkGetVector3Macro(Direction, double);
+  ///@}
+
+protected:
+  vtkHighOrderWarp();
+  ~vtkHighOrderWarp() override;
+
+  bool Make(vtkDataObject* mesh, Output* output) override;
+
+private:
+  vtkHighOrderWarp(const vtkHighOrderWarp&) = delete;
+  void operator=(const vtkHighOrderWarp&) = delete;
+
+  std::string FieldName;
+  double ScaleFactor = 1.0;
+  double Direction[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif
