@@ -3,6 +3,7 @@
 #include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Commands/CertifiedFacts.h"
+#include "Commands/WarpFacts.h"
 #include "Input/Input.h"
 #include "Input/OrderCounts.h"
 #include "Input/SolverFacts.h"
@@ -33,6 +34,7 @@ struct InfoOptions
 {
   InputRequest input;
   bool certify = false;
+  std::string warpLimit; ///< the displacement of which a limit is sought; empty: none
 };
 
 struct FieldFacts
@@ -57,6 +59,7 @@ struct Facts
   std::size_t coefficientBytes = 0;   ///< of the geometry and all fields
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
+  std::optional<WarpFacts> warp;           ///< on request
 };
 
 std::int64_t CountNonFinite(const Expansion& expansion)
@@ -234,6 +237,10 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     AddTo(table, *facts.certified);
   }
+  if (facts.warp)
+  {
+    AddTo(table, *facts.warp);
+  }
   table.Row(
     "coefficients", input.converted ? "made from the file's nodal values" : "as in the file");
   table.Print();
@@ -283,6 +290,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   {
     AddTo(summary, *facts.certified);
   }
+  if (facts.warp)
+  {
+    AddTo(summary, *facts.warp);
+  }
   AddTime(summary, input);
   summary.update({ { "times", input.times }, { "converted", input.converted },
     { "coefficient_bytes", facts.coefficientBytes }, { "diagnostics", input.diagnostics } });
@@ -291,12 +302,20 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
 
 void Info(const InfoOptions& options, const CommonOptions& common)
 {
+  if (!options.input.warpDirection.empty() && !options.input.warp && options.warpLimit.empty())
+  {
+    throw UsageError("--warp-direction has no effect without --warp or --warp-limit; leave it out");
+  }
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, {}, stopwatch);
   Facts facts = Gather(input);
   if (options.certify)
   {
     facts.certified = Certify(input);
+  }
+  if (!options.warpLimit.empty())
+  {
+    facts.warp = FindWarpFacts(input, options.input, options.warpLimit);
   }
   if (common.json)
   {
@@ -316,5 +335,6 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
   options->input.AddTo(command);
   Bind(command, "--certify", options->certify);
+  Bind(command, "--warp-limit", options->warpLimit);
 }
 } // namespace pixelexact

@@ -3,6 +3,7 @@
 
 #include "Base/Options.h"
 
+#include "Conversion/WarpRequest.h"
 #include "Core/Base/Error.h"
 
 #include <vtkSmartPointer.h>
@@ -29,10 +30,14 @@ struct InputRequest
   std::optional<int> truncateOrder; ///< of all fields; none: they stay as they are
   bool mirroredWedges = false;      ///< MFEM's order of the nodes of VTK's Lagrange wedges
   bool cornerCells = true;          ///< cells of solvers' grids; false: Lagrange cells
-  bool timesAlone = false;          ///< readers return after reading the times, without a grid
+  std::optional<WarpRequest> warp;  ///< how the mesh is deformed; without a direction
+  std::vector<double> warpDirection; ///< of a scalar's displacement; empty: none
+  bool timesAlone = false;           ///< readers return after reading the times, without a grid
 
   /// Declares INPUT as the command's positional arguments, and the options.
   void AddTo(CLI::App& command);
+  /// The displacement by a field, with the direction that is given.
+  [[nodiscard]] WarpRequest WarpBy(const std::string& field, double scale) const;
 };
 
 struct InputGrid

@@ -3,6 +3,8 @@
 
 #include "Base/Numbers.h"
 
+#include <cmath>
+
 // Options of INPUT.
 namespace pixelexact
 {
@@ -20,6 +22,19 @@ int ParseStep(const std::string& text, bool mayBeAll)
   }
   return number;
 }
+
+/// FIELD or FIELD=SCALE.
+void ReadWarp(const std::string& text, WarpRequest& warp)
+{
+  const std::size_t at = text.rfind('=');
+  warp.field = text.substr(0, at);
+  if (warp.field.empty() ||
+    (at != std::string::npos &&
+      !(ParseNumber(text.substr(at + 1), warp.scale) && std::isfinite(warp.scale))))
+  {
+    Refuse("--warp", text, "FIELD or FIELD=SCALE with a finite number, such as displacement=10");
+  }
+}
 } // namespace
 
 void InputRequest::AddTo(CLI::App& command)
@@ -34,5 +49,17 @@ void InputRequest::AddTo(CLI::App& command)
   Bind(command, "--time", time);
   Bind(command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; });
   Bind(command, "--mirrored-wedges", mirroredWedges);
+  Bind(command, "--warp", [this](const std::string& text) { ReadWarp(text, warp.emplace()); });
+  Bind(command, "--warp-direction", warpDirection);
+}
+
+WarpRequest InputRequest::WarpBy(const std::string& field, double scale) const
+{
+  WarpRequest request{ field, scale, {} };
+  if (!warpDirection.empty())
+  {
+    request.direction = Vec3(warpDirection[0], warpDirection[1], warpDirection[2]);
+  }
+  return request;
 }
 } // namespace pixelexact

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -32,34 +33,44 @@ Vec3 Rotated(const Vec3& v, const Vec3& axis, double angle)
 }
 } // namespace
 
+void AnimationOptions::ReadSweep(const std::string& text)
+{
+  constexpr std::string_view kWarp = "warp=";
+  const bool isWarp = text.starts_with(kWarp);
+  const std::vector<std::string> parts =
+    SplitAt(text.size() > 2 ? text.substr(isWarp ? kWarp.size() : 2) : std::string(), ':');
+  const auto read = [isWarp](const std::string& part, double& at, bool& percent)
+  {
+    percent = !isWarp && part.ends_with('%');
+    return ParseNumber(std::string_view(part).substr(0, part.size() - (percent ? 1 : 0)), at) &&
+      std::isfinite(at) && (!percent || (at >= 0.0 && at <= 100.0));
+  };
+  Swept sweep{};
+  bool first = false;
+  bool last = false;
+  const bool isAxis = text.size() > 2 &&
+    std::string_view("xyz").find(text[0]) != std::string_view::npos && text[1] == '=';
+  if (parts.size() != 3 || !(isWarp || isAxis) || !read(parts[0], sweep.from, first) ||
+    !read(parts[1], sweep.to, last) || first != last || !ReadFrames(parts[2], sweep.frames))
+  {
+    Refuse("--sweep", text,
+      std::string(kSweepForm) +
+        ", such as z=0:1:50, z=5%:95%:50 of the mesh's box, or warp=0:10:50 of --warp");
+  }
+  if (isWarp)
+  {
+    Deformation = { sweep.from, sweep.to, sweep.frames };
+    return;
+  }
+  sweep.axis = text[0];
+  sweep.inPercent = first;
+  Sweep = sweep;
+}
+
 void AnimationOptions::AddTo(CLI::App& command)
 {
   Command = &command;
-  Bind(command, "--sweep",
-    [this](const std::string& text)
-    {
-      Swept sweep{};
-      const std::vector<std::string> parts =
-        SplitAt(text.size() > 2 ? text.substr(2) : std::string(), ':');
-      const auto read = [](const std::string& part, double& at, bool& percent)
-      {
-        percent = part.ends_with('%');
-        return ParseNumber(std::string_view(part).substr(0, part.size() - (percent ? 1 : 0)), at) &&
-          std::isfinite(at) && (!percent || (at >= 0.0 && at <= 100.0));
-      };
-      bool first = false;
-      bool last = false;
-      if (parts.size() != 3 || std::string_view("xyz").find(text[0]) == std::string_view::npos ||
-        text[1] != '=' || !read(parts[0], sweep.from, first) || !read(parts[1], sweep.to, last) ||
-        first != last || !ReadFrames(parts[2], sweep.frames))
-      {
-        Refuse("--sweep", text,
-          std::string(kSweepForm) + ", such as z=0:1:50, or z=5%:95%:50 of the mesh's box");
-      }
-      sweep.axis = text[0];
-      sweep.inPercent = first;
-      Sweep = sweep;
-    });
+  Bind(command, "--sweep", [this](const std::string& text) { ReadSweep(text); });
   Bind(command, "--turn",
     [this](const std::string& text)
     {
@@ -79,15 +90,22 @@ void AnimationOptions::AddTo(CLI::App& command)
 
 bool AnimationOptions::IsAsked(const InputRequest& input) const
 {
-  return Sweep || Turn || input.allSteps;
+  return Sweep || Deformation || Turn || input.allSteps;
 }
 
 void AnimationOptions::Check(const InputRequest& input) const
 {
-  if (Sweep && Turn && Sweep->frames != Turn->frames)
+  const std::optional<int> swept = Sweep ? std::optional(Sweep->frames)
+    : Deformation                        ? std::optional(Deformation->frames)
+                                         : std::nullopt;
+  if (swept && Turn && *swept != Turn->frames)
   {
     throw UsageError(fmt::format(
-      "--sweep has {} pictures and --turn {}; give both as many", Sweep->frames, Turn->frames));
+      "--sweep has {} pictures and --turn {}; give both as many", *swept, Turn->frames));
+  }
+  if (Deformation && !input.warp)
+  {
+    throw UsageError("--sweep warp=FROM:TO:N needs the displacement; give --warp FIELD");
   }
   for (const char* option : { "--fps", "--resume" })
   {
@@ -101,7 +119,22 @@ void AnimationOptions::Check(const InputRequest& input) const
 
 std::optional<int> AnimationOptions::Frames() const
 {
-  return Sweep ? std::optional(Sweep->frames) : Turn ? std::optional(Turn->frames) : std::nullopt;
+  return Sweep    ? std::optional(Sweep->frames)
+    : Deformation ? std::optional(Deformation->frames)
+    : Turn        ? std::optional(Turn->frames)
+                  : std::nullopt;
+}
+
+double AnimationOptions::ScaleAt(int frame) const
+{
+  const int last = std::max(Deformation->frames - 1, 1);
+  return std::lerp(Deformation->from, Deformation->to, static_cast<double>(frame) / last);
+}
+
+double AnimationOptions::LargestScale() const
+{
+  return std::fabs(Deformation->from) > std::fabs(Deformation->to) ? Deformation->from
+                                                                   : Deformation->to;
 }
 
 PlaneChoice AnimationOptions::PlaneAt(int frame) const

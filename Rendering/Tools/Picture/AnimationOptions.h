@@ -14,8 +14,8 @@ namespace pixelexact
 {
 struct InputRequest;
 
-/// Pictures that follow each other: a plane that is swept, a camera that turns, all time steps, or
-/// several of these at once, frame by frame.
+/// Pictures that follow each other: a plane that is swept or a mesh that is deformed, a camera that
+/// turns, all time steps, or several of these at once, frame by frame.
 class AnimationOptions
 {
 public:
@@ -32,6 +32,11 @@ public:
   /// Whether there is a plane of each frame's own; it is the first surface.
   [[nodiscard]] bool Sweeps() const { return Sweep.has_value(); }
   [[nodiscard]] PlaneChoice PlaneAt(int frame) const;
+  /// Whether each frame has a scale of --warp of its own.
+  [[nodiscard]] bool Deforms() const { return Deformation.has_value(); }
+  [[nodiscard]] double ScaleAt(int frame) const;
+  /// The one of the two end scales that deforms more.
+  [[nodiscard]] double LargestScale() const;
   [[nodiscard]] bool Turns() const { return Turn.has_value(); }
   /// A view that is turned about its view-up through `pivot`, against the clock seen from above.
   [[nodiscard]] CameraView ViewAt(int frame, const CameraView& first, const Vec3& pivot) const;
@@ -49,13 +54,22 @@ private:
     bool inPercent;
     int frames;
   };
+  struct Scales
+  {
+    double from;
+    double to;
+    int frames;
+  };
   struct Turned
   {
     double degrees;
     int frames;
   };
+  void ReadSweep(const std::string& text);
+
   const CLI::App* Command = nullptr;
   std::optional<Swept> Sweep;
+  std::optional<Scales> Deformation;
   std::optional<Turned> Turn;
   bool Resume = false;
   double Rate = 0.0;

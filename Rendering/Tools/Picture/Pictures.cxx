@@ -88,6 +88,12 @@ Pictures::Pictures(const RenderOptions& options, Stopwatch& watch)
   const AnimationOptions& animation = Options.animation;
   Asked.alsoSeen = [&animation, outlined = Asked.alsoSeen](const Shot& shot)
   { return SeenOfAll(animation, shot, outlined); };
+  if (animation.Deforms())
+  {
+    // The view is that of the mesh where it is deformed most.
+    Scale = animation.LargestScale();
+    Asked.input.warp->scale = Scale;
+  }
   Now.emplace(Prepare(Asked, Watch));
   ++Reads;
   First = Now->view;
@@ -118,11 +124,19 @@ Vec3 Pictures::Pivoted() const
 
 const Shot& Pictures::At(int frame)
 {
-  if (StepOf(frame) != Now->input.step)
+  const bool isOtherStep = StepOf(frame) != Now->input.step;
+  const bool isOtherScale =
+    Options.animation.Deforms() && Options.animation.ScaleAt(frame) != Scale;
+  if (isOtherStep || isOtherScale)
   {
+    if (isOtherScale)
+    {
+      Scale = Options.animation.ScaleAt(frame);
+      Asked.input.warp->scale = Scale;
+    }
     const Shot before = std::move(*Now);
     Now.emplace(PrepareStep(Asked, StepOf(frame), before, Watch));
-    ++Reads;
+    Reads += isOtherStep ? 1 : 0;
   }
   Shot& shot = *Now;
   // The one before is held while another is made: they differ in their addresses.

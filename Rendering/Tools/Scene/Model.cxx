@@ -7,6 +7,7 @@
 #include "Input/Input.h"
 #include "Scene/QualitySettings.h"
 
+#include "Conversion/WarpedGrid.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 #include "HighOrderArrays.h"
@@ -73,9 +74,16 @@ void Convert(LoadedModel& input, const InputRequest& request, const std::string&
   {
     converter->SetNodePlacementToGaussLobatto();
   }
-  if (HasArray(*input.grid, field))
+  std::vector<std::string> fields{ field };
+  if (request.warp)
   {
-    converter->AddField(field);
+    fields.push_back(request.warp->field);
+  }
+  if (std::ranges::all_of(
+        fields, [&input](const std::string& name) { return HasArray(*input.grid, name); }))
+  {
+    std::ranges::for_each(
+      fields, [&converter](const std::string& name) { converter->AddField(name); });
   }
   ProgressLine line("converting");
   vtkNew<vtkCallbackCommand> onProgress;
@@ -135,7 +143,46 @@ void ShareMesh(vtkUnstructuredGrid& before, vtkUnstructuredGrid& grid)
   share(*before.GetFieldData(), *grid.GetFieldData());
   share(*before.GetCellData(), *grid.GetCellData());
 }
+
+/// Replaces the grid by the deformed one.
+void Warp(LoadedModel& input, const InputRequest& request)
+{
+  input.undeformed = input.grid;
+  const WarpedGrid warped =
+    WarpGrid(input.grid, request.WarpBy(request.warp->field, request.warp->scale));
+  input.grid = warped.grid;
+  for (const std::string& name : warped.leftOut)
+  {
+    input.diagnostics.push_back("--warp: field '" + name +
+      "' is left out; it is an H(curl), H(div) or density field, whose values depend on the map");
+  }
+}
+
+/// From the grid to the model that is shown.
+void Finish(LoadedModel& input, const InputRequest& request)
+{
+  if (request.warp)
+  {
+    Warp(input, request);
+  }
+  input.model = HighOrderModel::From(input.grid);
+  input.elements = input.model->GetMesh().Elements();
+  if (request.truncateOrder)
+  {
+    Truncate(input, *request.truncateOrder);
+  }
+}
 } // namespace
+
+LoadedModel Deformed(const LoadedModel& before, const InputRequest& request)
+{
+  LoadedModel input = before;
+  input.grid = before.undeformed;
+  input.truncations.clear();
+  input.diagnostics.clear();
+  Finish(input, request);
+  return input;
+}
 
 LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
   vtkUnstructuredGrid* before)
@@ -166,12 +213,7 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
     {
       ShareMesh(*before, *input.grid);
     }
-    input.model = HighOrderModel::From(input.grid);
-    input.elements = input.model->GetMesh().Elements();
-    if (request.truncateOrder)
-    {
-      Truncate(input, *request.truncateOrder);
-    }
+    Finish(input, request);
   }
   catch (const Error& error)
   {

@@ -27,6 +27,9 @@ struct LoadedModel
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   std::shared_ptr<HighOrderModel> model;
+  /// The grid without the deformation of --warp, by which other scales need not read again; null
+  /// where there is none.
+  vtkSmartPointer<vtkUnstructuredGrid> undeformed;
   std::int64_t elements = 0;            ///< of the whole input; the model may hold less of it
   bool converted = false;               ///< else the file carried our coefficients
   vtkIdType skippedCells = 0;           ///< of the file, that are no element
@@ -44,6 +47,9 @@ struct LoadedModel
 /// the same.
 LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
   vtkUnstructuredGrid* before = nullptr);
+
+/// The same input with the deformation and the truncation of another request.
+LoadedModel Deformed(const LoadedModel& before, const InputRequest& request);
 
 /// Reports which time step this is; nothing where the input has no time.
 void AddTime(Table& table, const LoadedModel& input);

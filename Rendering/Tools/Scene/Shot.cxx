@@ -228,8 +228,21 @@ Appearance SharedAppearance(const ShotOptions& options)
   return appearance;
 }
 
+/// The input of one process, of which `before` may have read the time step.
+LoadedModel LoadWhole(
+  const ShotOptions& options, const std::string& field, Stopwatch& stopwatch, const Shot* before)
+{
+  if (before != nullptr && before->input.undeformed != nullptr &&
+    before->input.step == options.input.step)
+  {
+    return Deformed(before->input, options.input);
+  }
+  return LoadModel(
+    options.input, field, stopwatch, before != nullptr ? before->input.grid.Get() : nullptr);
+}
+
 /// All but the view.
-Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredGrid* before)
+Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, const Shot* before)
 {
   Shot shot;
   shot.size = options.size;
@@ -251,7 +264,7 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
   }
   else
   {
-    shot.input = LoadModel(options.input, field, stopwatch, before);
+    shot.input = LoadWhole(options, field, stopwatch, before);
   }
   if (before == nullptr)
   {
@@ -316,7 +329,7 @@ Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopw
   {
     asked.field = field->name;
   }
-  Shot shot = MakeShot(asked, stopwatch, before.input.grid);
+  Shot shot = MakeShot(asked, stopwatch, &before);
   shot.view = before.view;
   shot.chosen = before.chosen;
   return shot;

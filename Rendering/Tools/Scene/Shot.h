@@ -95,8 +95,8 @@ std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const I
 /// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);
 
-/// The same of another time step, with the view that was, of options that Prepare took; where the
-/// mesh is the same it is shared. `before` is held while it is asked for.
+/// The same of another time step or of another scale of --warp, with the view that was, of options
+/// that Prepare took; where the mesh is the same it is shared. `before` is held until it returns.
 Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch);
 
 /// "magnitude" or the component's number; "value" for a scalar. Of a layer with a field.
