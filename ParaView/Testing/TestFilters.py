@@ -60,6 +60,18 @@ class Filters(unittest.TestCase):
         expected = numpy.linalg.norm(gradients, axis=1)
         self.assertLess(numpy.abs(found["slope"] - expected)[inside].max(), 1e-9 * expected.max())
 
+    def test_warp(self):
+        """Moved along a constant direction by its own values, a point has the value that it had."""
+        moved = simple.PixelExactWarp(
+            self.plain, Displacement="u", ScaleFactor=0.01, Direction=[0.0, 0.0, 1.0])
+        moved.UpdatePipeline()
+        u = scene.numbers(self.table, "u")
+        there = self.points + 0.01 * u * numpy.array([0.0, 0.0, 1.0])
+        before, after = scene.probe(self.plain, self.points), scene.probe(moved, there)
+        both = (before["Verdict"] == 1) & (after["Verdict"] == 1)
+        self.assertGreater(both.mean(), 0.95)
+        self.assertLess(numpy.abs(after["u"] - before["u"])[both].max(), 1e-9 * abs(u).max())
+
     def test_probe_along_a_line(self):
         line = simple.Line(Point1=[-2, 0, 0], Point2=[2, 0, 0], Resolution=100)
         probe = simple.PixelExactProbe(Input=line, Source=self.plain)

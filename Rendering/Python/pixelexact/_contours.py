@@ -7,6 +7,7 @@ from typing import Any, Optional, Sequence, Union
 from ._cut import Limits, cut, field_of
 from ._expressions import FieldName
 from ._picture import picture_of
+from ._read import Warp
 from ._scene import (
     Normal,
     Vector,
@@ -17,6 +18,7 @@ from ._scene import (
     source_of,
     surface_of,
 )
+from ._warp import warped
 from ._work import Error, Progress, run
 from .PixelExactFilters import vtkHighOrderContour
 
@@ -42,13 +44,15 @@ def contours(
     surface: Any = None,
     component: Union[int, str, None] = None,
     tolerance: float = 0.0,
+    warp: Warp = None,
+    warp_direction: Optional[Vector] = None,
     progress: Progress = None,
 ) -> Any:
     """Lines on a cut-surface where a field has these values: a vtkPolyData of polylines.
 
     Points are where the field has the value, to rounding; the arrays, and what is proven of the
     lines, are those of vtkHighOrderContour, which warns of what it could not prove. grid, field,
-    normal, origin, component: as of cut; surface: a vtkImplicitFunction or a function of points.
+    normal, origin, component, warp, warp_direction: as of cut; surface: a vtkImplicitFunction or a function of points.
     values: a list. count instead: so many round values strictly inside the range, as of cut and of
     the program's --contours N; clim: that range, as of cut, of a picture of 1000 x 1000 pixels.
     tolerance: how far chords may be from the curves; 0: 1e-4 of the diagonal of the mesh's box.
@@ -59,7 +63,7 @@ def contours(
         raise TypeError("contours: clim is the range of count's values: leave it out, or give count")
     chosen = [] if values is None else list_of(values, "values", "count")
     number = None if count is None else count_of(count, "count")
-    source = source_of(grid, progress)
+    source = warped(source_of(grid, progress), warp, warp_direction, progress)
     name = field_of(source, field)
     shape = surface_of(surface, _bounds_of(source), normal, origin)
     if not shape.IsA("vtkImplicitFunction"):

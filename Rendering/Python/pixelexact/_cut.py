@@ -22,6 +22,7 @@ from ._appearance import (
 )
 from ._expressions import FieldName, expression_of
 from ._picture import Cut
+from ._read import Warp
 from ._scene import (
     Normal,
     Surface,
@@ -31,6 +32,7 @@ from ._scene import (
     surface_of,
 )
 from ._settings import check, documented
+from ._warp import warped
 from ._work import Error, Progress, errors_of
 from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
 
@@ -112,6 +114,8 @@ def cut(
     outline_color: Color = (0.0, 0.0, 0.0),
     clip: Clip = None,
     opacity: float = 1.0,
+    warp: Warp = None,
+    warp_direction: Optional[Vector] = None,
     progress: Progress = None,
 ) -> Cut:
     """A cut through a field: an actor, every pixel of which is the field's own value, and its bar.
@@ -141,7 +145,7 @@ def cut(
     )
     if bands is not None:
         check(bands=bands)
-    source = source_of(grid, progress)
+    source = warped(source_of(grid, progress), warp, warp_direction, progress)
     name = field_of(source, field)
     mapper = vtkHighOrderMapper()
     mapper.SetInputData(source)

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 
 from ._cut import field_of
 from ._expressions import FieldName
-from ._scene import source_of
+from ._read import Warp
+from ._scene import Vector, source_of
+from ._warp import warped
 from ._work import Progress, run
 from .PixelExactFilters import vtkHighOrderProbe
 
@@ -93,20 +95,23 @@ def probe(
     *,
     gradients: bool = False,
     enclosures: bool = False,
+    warp: Warp = None,
+    warp_direction: Optional[Vector] = None,
     progress: Progress = None,
 ) -> Probed:
     """The exact values of a field at points (n, 3), in the order of these.
 
     grid: as of cut. field: None: the first one. points: an array of doubles that is contiguous is
     used as it is; a point that is not finite, or masked, is outside. enclosures: an interval for each value,
-    20 to 50 times the cost of a value.
+    20 to 50 times the cost of a value. warp, warp_direction: as of cut; points are those of the
+    deformed mesh.
 
     progress: a function of the part that is done; what it raises, and KeyboardInterrupt, end the
     work. Other threads of Python run meanwhile. Raises Error where there is no such field.
     """
     if points is None:
         raise TypeError("probe: give points, an array of shape (n, 3)")
-    source = source_of(grid, progress)
+    source = warped(source_of(grid, progress), warp, warp_direction, progress)
     name = field_of(source, field)
     if name is None and hasattr(source, "GetHighOrderFieldName"):
         name = source.GetHighOrderFieldName(0)

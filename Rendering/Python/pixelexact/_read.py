@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Union
+from typing import Any, Optional, Sequence, Union
 
 from . import _run
 from ._docstrings import with_texts
@@ -14,6 +14,7 @@ from .PixelExactDataModel import vtkHighOrderGrid
 from .PixelExactFilters import vtkUnstructuredGridToHighOrderGrid
 
 Path = Union[str, "os.PathLike[str]"]
+Warp = Union[str, tuple[str, float], None]
 
 
 def _names(mesh: Path, fields: tuple[Path, ...]) -> list[str]:
@@ -65,7 +66,12 @@ def read(
     mesh: Path,
     *fields: Path,
     time_step: int = 0,
+<<<<<<< HEAD
     cells: str = "lagrange",
+=======
+    warp: Warp = None,
+    warp_direction: Optional[Sequence[float]] = None,
+>>>>>>> 3cf7d2b6 (Deform meshes in Python and ParaView)
     progress: Progress = None,
 ) -> vtkHighOrderGrid:
     """Reads a mesh file and, where the format keeps them apart, its field files.
@@ -76,9 +82,14 @@ def read(
 
     What looks wrong in a file is a RuntimeWarning.
 
+<<<<<<< HEAD
     time_step: counted from 0, or from the end where it is negative; see times. cells: which of VTK's
     cells the grid of a solver's own file has beside its coefficients, "lagrange" or "corners"
     (vtkHighOrderFileReader.SetCells); "corners" takes the least memory. progress: a function
+=======
+    time_step: counted from 0, or from the end where it is negative; see times. warp,
+    warp_direction: as of cut; the grid is deformed. progress: a function
+>>>>>>> 3cf7d2b6 (Deform meshes in Python and ParaView)
     of the part that is done; what it raises ends the work, and so does KeyboardInterrupt.
 
     Raises FileNotFoundError, ValueError for files that do not go together and other cells, IndexError for a step
@@ -100,4 +111,6 @@ def read(
     typed = as_high_order(grid, progress)
     if steps:
         typed.GetInformation().Set(typed.DATA_TIME_STEP(), steps[step])
-    return typed
+    from ._warp import warped  # which imports this module
+
+    return warped(typed, warp, warp_direction, progress)
