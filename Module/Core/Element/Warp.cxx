@@ -137,13 +137,13 @@ class DisplacementSum
 {
 public:
   DisplacementSum(const Mesh& mesh, int element, std::span<const WarpTerm> displacement)
-    : TheSpace(mesh.map.SpaceOf(element))
+    : space_(mesh.map.SpaceOf(element))
   {
     for (const WarpTerm& term : displacement)
     {
-      TheSpace = Join(TheSpace, term.field->values.SpaceOf(element));
+      space_ = Join(space_, term.field->values.SpaceOf(element));
     }
-    const auto count = static_cast<std::size_t>(TheSpace.Modes());
+    const auto count = static_cast<std::size_t>(space_.Modes());
     Sum.assign(3 * count, 0.0L);
     Magnitude.assign(3 * count, 0.0L);
     for (const WarpTerm& term : displacement)
@@ -153,7 +153,7 @@ public:
       const double* modes =
         term.field->values.Coefficients(element) + static_cast<std::size_t>(term.component) * width;
       RequireFinite({ modes, width }, *term.field, element);
-      const std::vector<double> embedded = Embedded(space, modes, TheSpace);
+      const std::vector<double> embedded = Embedded(space, modes, space_);
       for (std::size_t c = 0; c < 3; ++c)
       {
         const long double factor = term.direction[static_cast<int>(c)];
@@ -166,13 +166,13 @@ public:
     }
   }
 
-  [[nodiscard]] const Space& GetSpace() const { return TheSpace; }
+  [[nodiscard]] const Space& GetSpace() const { return space_; }
   [[nodiscard]] std::span<const long double> Modes() const { return Sum; }
   /// The sums of the terms' magnitudes.
   [[nodiscard]] std::span<const long double> Magnitudes() const { return Magnitude; }
 
 private:
-  Space TheSpace;
+  Space space_;
   std::vector<long double> Sum;
   std::vector<long double> Magnitude;
 };

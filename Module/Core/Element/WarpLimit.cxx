@@ -189,10 +189,10 @@ public:
   {
     AddDerivatives(Map, 0, 3, Ingredients);
     AddDerivatives(Displacement, 0, 3, Ingredients);
-    TheLevel = LevelFor(Ingredients);
+    level_ = LevelFor(Ingredients);
   }
 
-  [[nodiscard]] int Level() const { return TheLevel; }
+  [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] Shape GetShape() const { return Joint.space.shape; }
 
   /// From s to the element's units, and back; exact.
@@ -221,7 +221,7 @@ public:
     std::vector<BoxPolynomial> derivatives;
     for (const RangeIngredient& ingredient : Ingredients)
     {
-      derivatives.push_back(ingredient.Over(TheLevel, piece, kWholeElement));
+      derivatives.push_back(ingredient.Over(level_, piece, kWholeElement));
     }
     return derivatives;
   }
@@ -232,7 +232,7 @@ private:
   ScaledModes Displacement;
   int Exponent;
   std::vector<RangeIngredient> Ingredients;
-  int TheLevel = 0;
+  int level_ = 0;
 };
 
 /// det J from the eighteen derivatives.
