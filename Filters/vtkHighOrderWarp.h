@@ -42,7 +42,7 @@ public:
   /**
    * The displacement: the name of a vector field, or of a scalar field with a Direction, or
    * vec(u,v,w) of scalar fields or 0; in the plane vec(u,v). Empty: the first array that the filter
-   * is told to process (SetInputArrayToProcess).
+   * processes (SetInputArrayToProcess).
    */
   vtkSetMacro(FieldName, std::string);
   vtkGetMacro(FieldName, std::string);

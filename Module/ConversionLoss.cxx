@@ -57,7 +57,7 @@ int LagrangeDegree(vtkUnstructuredGrid* grid, vtkIdType cell)
   return degree;
 }
 
-/// Whether it is a solid Lagrange cell.
+/// True for Lagrange cells of solid shapes.
 bool IsLagrange(int cellType)
 {
   return cellType == VTK_LAGRANGE_HEXAHEDRON || cellType == VTK_LAGRANGE_WEDGE ||
@@ -68,7 +68,7 @@ bool IsLagrange(int cellType)
 class HeldOrders
 {
 public:
-  /// Of a map (empty name) or of a field with this name, origin and mapping.
+  /// Takes the map if the name is empty, else the field with this name, origin and mapping.
   HeldOrders(vtkUnstructuredGrid* grid, const std::string& name, Origin origin, Mapping mapping)
     : Grid(grid)
     , IsFromSolver(IsSolvers(origin))

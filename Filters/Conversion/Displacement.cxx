@@ -64,7 +64,7 @@ std::vector<std::string> ArgumentsOfVec(const std::string& text)
   return arguments;
 }
 
-/// What a name is defined as by calculators, else the text itself.
+/// Returns the definition that a calculator gave the name, else the text itself.
 std::string Resolved(const HighOrderModel& model, const std::string& text)
 {
   std::string resolved = Trimmed(text);

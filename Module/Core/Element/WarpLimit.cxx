@@ -302,7 +302,8 @@ std::array<double, 3> CornerOf(unsigned corner)
   return { end(0), end(1), end(2) };
 }
 
-/// Looks for an inverted point with det J = `series` at t of the box.
+/// Lowers `found` to a scale at which det J, which is `series` at the point t of the box, is not
+/// positive.
 void Improve(const ScaleBox& box, const ScaleSeries<Interval>& series,
   const std::array<double, 3>& t, double most, InvertedAt& found)
 {
@@ -422,7 +423,7 @@ int SplitDirectionOf(const ScaleBox& box)
   return best;
 }
 
-/// What becomes of a box that is to be bounded better: the same one with det J, or its children.
+/// The result of Refine: the same box with the bounds of det J itself, or its children.
 struct Refined
 {
   std::vector<ScaleBox> boxes;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// What `info --warp-limit` proves: the scales at which a displacement inverts elements.
+// The scales at which a displacement inverts elements, as `info --warp-limit` prints them.
 namespace pixelexact
 {
 struct InputRequest;
@@ -26,7 +26,7 @@ struct WarpFacts
   double seconds = 0.0;
 };
 
-/// Of a displacement of the model. Parallel, with progress on stderr. Throws as DisplacementOf.
+/// Computes the limits for a displacement of the model. Parallel, with progress on stderr. Throws as DisplacementOf.
 WarpFacts FindWarpFacts(
   const LoadedModel& input, const InputRequest& request, const std::string& field);
 
