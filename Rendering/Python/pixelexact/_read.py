@@ -66,12 +66,9 @@ def read(
     mesh: Path,
     *fields: Path,
     time_step: int = 0,
-<<<<<<< HEAD
     cells: str = "lagrange",
-=======
     warp: Warp = None,
     warp_direction: Optional[Sequence[float]] = None,
->>>>>>> 3cf7d2b6 (Deform meshes in Python and ParaView)
     progress: Progress = None,
 ) -> vtkHighOrderGrid:
     """Reads a mesh file and, where the format keeps them apart, its field files.
@@ -82,18 +79,15 @@ def read(
 
     What looks wrong in a file is a RuntimeWarning.
 
-<<<<<<< HEAD
     time_step: counted from 0, or from the end where it is negative; see times. cells: which of VTK's
     cells the grid of a solver's own file has beside its coefficients, "lagrange" or "corners"
-    (vtkHighOrderFileReader.SetCells); "corners" takes the least memory. progress: a function
-=======
-    time_step: counted from 0, or from the end where it is negative; see times. warp,
-    warp_direction: as of cut; the grid is deformed. progress: a function
->>>>>>> 3cf7d2b6 (Deform meshes in Python and ParaView)
-    of the part that is done; what it raises ends the work, and so does KeyboardInterrupt.
+    (vtkHighOrderFileReader.SetCells); "corners" takes the least memory. warp, warp_direction: as of
+    cut; the grid is deformed. progress: a function of the part that is done; what it raises ends the
+    work, and so does KeyboardInterrupt.
 
-    Raises FileNotFoundError, ValueError for files that do not go together and other cells, IndexError for a step
-    that is not there, Error with the reader's own words for what it cannot read.
+    Raises FileNotFoundError, ValueError for files that do not go together and for other cells,
+    IndexError for a step that is not there, Error with the reader's own words for what it cannot
+    read.
     """
     if cells not in ("lagrange", "corners"):
         raise ValueError(f"cells {cells!r}: must be 'lagrange' or 'corners'")
