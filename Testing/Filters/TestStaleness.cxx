@@ -315,6 +315,7 @@ protected:
   {
     const std::string path = std::string(PIXELEXACT_DATA_DIR "/") + folder + "/";
     vtkNew<vtkMFEMReader> reader;
+    reader->SetCells(vtkHighOrderFileReader::CORNER_CELLS);
     reader->SetFileName((path + mesh).c_str());
     for (const auto& function : functions)
     {
