@@ -203,6 +203,7 @@ std::vector<WarpTerm> TermsOfVector(const Field& field, bool isPlane)
       "; give a vector field, or vec(u,v,w) of scalar fields.");
   }
   std::vector<WarpTerm> terms;
+  terms.reserve(static_cast<std::size_t>(components));
   for (int c = 0; c < components; ++c)
   {
     terms.push_back({ &field, c, Axis(c) });

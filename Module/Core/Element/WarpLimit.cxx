@@ -335,11 +335,9 @@ std::vector<ScaleBox> PiecesOf(
     {
       return {};
     }
-    std::vector<Interval> values;
-    for (const BoxPolynomial& one : derivatives)
-    {
-      values.push_back(one.Hull());
-    }
+    std::vector<Interval> values(derivatives.size());
+    std::ranges::transform(
+      derivatives, values.begin(), [](const BoxPolynomial& one) { return one.Hull(); });
     const ScaleSeries<Interval> hull = DeterminantOf(values);
     box.reach = cubic->FromUnits(PositiveUpTo(EndOf(hull, false), cubic->ToUnits(most)));
     for (unsigned corner = 0; corner < 8; ++corner)
