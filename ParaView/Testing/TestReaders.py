@@ -78,8 +78,8 @@ class Readers(unittest.TestCase):
                 )
             reader = simple.PixelExactMFEMReader(FileName=os.path.join(folder, "escher.mesh"))
             reader.UpdatePipeline()
-            self.assertIn("escher_pressure", reader.CellData.keys())
-            self.assertNotIn("flux", reader.CellData.keys())
+            self.assertIn("escher_pressure", reader.PointData.keys())
+            self.assertNotIn("flux", reader.PointData.keys())
 
     def test_mfem(self):
         name = "mfem_escher_tet_darcy_p3"
@@ -95,8 +95,8 @@ class Readers(unittest.TestCase):
         self.assertEqual(list(reader.Fields), ["flux", "pressure"])
         reader.Fields = ["pressure"]
         reader.UpdatePipeline()
-        self.assertIn("pressure", reader.CellData.keys())
-        self.assertNotIn("flux", reader.CellData.keys())
+        self.assertIn("pressure", reader.PointData.keys())
+        self.assertNotIn("flux", reader.PointData.keys())
         found = scene.probe(reader, [[0.0, 0.0, 0.0]])
         self.assertIn("pressure", found)
         self.assertNotIn("flux", found)
