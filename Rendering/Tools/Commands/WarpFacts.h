@@ -26,7 +26,8 @@ struct WarpFacts
   double seconds = 0.0;
 };
 
-/// Computes the limits for a displacement of the model. Parallel, with progress on stderr. Throws as DisplacementOf.
+/// Computes the limits for a displacement of the model. Parallel, with progress on stderr. Throws
+/// as DisplacementOf.
 WarpFacts FindWarpFacts(
   const LoadedModel& input, const InputRequest& request, const std::string& field);
 
