@@ -380,8 +380,13 @@ private:
         {
           list.append(list.empty() ? "" : ", ").append(std::to_string(id));
         }
-        const std::string blocks = missing->second.size() == 1 ? "block " : "blocks ";
-        add("the field '" + name + "' has no values in " + blocks + list + "; it is NaN there.");
+        std::string note = "the field '";
+        note.append(name)
+          .append("' has no values in ")
+          .append(missing->second.size() == 1 ? "block " : "blocks ")
+          .append(list)
+          .append("; it is NaN there.");
+        add(note);
       }
     }
     if (HasSingles && HasDoubles)

@@ -118,7 +118,7 @@ Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
   {
     names.merge(ArrayNames(grid));
   }
-  const Grid all = AppendedGrids(grids);
+  Grid all = AppendedGrids(grids);
   if (std::ranges::any_of(grids,
         [&](const Grid& grid)
         { return grid->GetPoints()->GetDataType() != all->GetPoints()->GetDataType(); }))
@@ -210,11 +210,9 @@ std::vector<ReadPart> ReadFiles(const std::vector<GridPart>& files, std::int64_t
 /// Keeps the volumes among parts, or where there is none the plane ones.
 void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>& notes)
 {
-  std::vector<int> dimensions;
-  for (const ReadPart& part : parts)
-  {
-    dimensions.push_back(DimensionOf(part.grid));
-  }
+  std::vector<int> dimensions(parts.size());
+  std::ranges::transform(
+    parts, dimensions.begin(), [](const ReadPart& part) { return DimensionOf(part.grid); });
   const int highest = *std::ranges::max_element(dimensions);
   if (highest < 2 && parts.size() > 1)
   {
