@@ -22,12 +22,6 @@ namespace pixelexact
 {
 namespace
 {
-bool IsLinear(int cellType)
-{
-  return cellType <= VTK_HEXAGONAL_PRISM || cellType == VTK_CONVEX_POINT_SET ||
-    cellType == VTK_POLYHEDRON;
-}
-
 bool HasArray(vtkDataSetAttributes* data, const std::string& name)
 {
   return data->GetArray(name.c_str()) != nullptr;
@@ -91,7 +85,7 @@ public:
     const int type = Grid->GetCellType(cell);
     const bool isLagrange = IsLagrange(type);
     // Cells of other kinds, and Lagrange cells of a file, are what the expansion was made from.
-    if (Values == Shown::Nowhere || (isLagrange ? !IsFromSolver : !IsLinear(type)))
+    if (Values == Shown::Nowhere || (isLagrange ? !IsFromSolver : !IsLinearCell(type)))
     {
       return -1;
     }
@@ -210,6 +204,12 @@ int LargestMark(vtkUnstructuredGrid* grid)
   return static_cast<int>(std::ceil(largest));
 }
 } // namespace
+
+bool IsLinearCell(int cellType)
+{
+  return cellType <= VTK_HEXAGONAL_PRISM || cellType == VTK_CONVEX_POINT_SET ||
+    cellType == VTK_POLYHEDRON;
+}
 
 void MarkLinearized(vtkUnstructuredGrid* grid, const std::string& name)
 {

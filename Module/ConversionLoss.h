@@ -19,6 +19,9 @@ namespace pixelexact
 /// array remains where a filter drops FieldData with the coefficients.
 inline constexpr const char* kLinearizedOrder = "PixelExactLinearizedOrder";
 
+/// True for VTK's cells of degree 1, and for cells without a degree (polyhedra).
+PIXELEXACTDATAMODEL_EXPORT bool IsLinearCell(int cellType);
+
 /// Adds to kLinearizedOrder what the cells do not hold of the map (empty name) or field just
 /// stored.
 PIXELEXACTDATAMODEL_EXPORT void MarkLinearized(vtkUnstructuredGrid* grid, const std::string& name);

@@ -3,6 +3,7 @@
 
 #include "Cells/LinearCell.h"
 #include "Conversion/ConvertedGrid.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
@@ -10,7 +11,6 @@
 #include "PackedArrays.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -61,13 +61,6 @@ vtkDataArray* ValuesAtPointsOf(vtkUnstructuredGrid* grid, const Field& field)
     : nullptr;
 }
 
-bool IsLinear(int type)
-{
-  constexpr std::array kLinear{ VTK_TETRA, VTK_HEXAHEDRON, VTK_VOXEL, VTK_WEDGE, VTK_PYRAMID,
-    VTK_TRIANGLE, VTK_QUAD, VTK_PIXEL };
-  return std::ranges::find(kLinear, type) != kLinear.end();
-}
-
 /// The displacement at the vertices of an element.
 std::vector<Vec3> AtVertices(
   const Mesh& mesh, int element, std::span<const Vec3> xi, const std::vector<WarpTerm>& terms)
@@ -95,7 +88,7 @@ void MoveCorners(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::vector<
   std::vector<Vec3> places;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
-    if (!IsLinear(grid->GetCellType(e)))
+    if (!IsLinearCell(grid->GetCellType(e)))
     {
       throw InvalidData("the grid has no array at the points that holds the displacement '" +
         terms.front().field->name + "', by which cell " + std::to_string(e) +
