@@ -2,6 +2,7 @@
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
 #include "Conversion/ConvertedGrid.h"
+#include "Conversion/FollowedGrid.h"
 #include "Conversion/GridConversion.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
@@ -67,7 +68,30 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
     }
     const bool keeps = HasSolverCoefficients(input) || IsPacked(input);
     const bool loses = HasHighOrderArrays(input) && OrderLostByConversion(input) >= 0;
-    if (keeps || loses)
+    if (HasSolverMesh(input))
+    {
+      try
+      {
+        const FollowedGrid followed = FollowGrid(input);
+        output->ShallowCopy(followed.grid);
+        for (const std::string& line : followed.notes)
+        {
+          this->Report(line);
+        }
+        return 1;
+      }
+      catch (const StaleData& error)
+      {
+        if (loses)
+        {
+          throw;
+        }
+        this->Report(std::string("the solver's own coefficients no longer fit and are replaced by "
+                                 "nodal ones: ") +
+          error.what());
+      }
+    }
+    else if (keeps || loses)
     {
       const std::string problem = vtkHighOrderGrid::CheckCoefficients(input);
       if (problem.empty() && keeps)

@@ -70,9 +70,8 @@ std::vector<std::int32_t> CellElements::CellOfElements(vtkIdType elements) const
   return cells;
 }
 
-void CellElements::Compare(vtkUnstructuredGrid* grid,
-  const std::function<std::vector<std::int64_t>(Hash)>& now, std::span<const std::int64_t> then,
-  const std::string& problem) const
+std::size_t CellElements::FirstMisfit(const std::function<std::vector<std::int64_t>(Hash)>& now,
+  std::span<const std::int64_t> then) const
 {
   const auto firstOther = [&](Hash hash)
   {
@@ -85,7 +84,20 @@ void CellElements::Compare(vtkUnstructuredGrid* grid,
     return cell;
   };
   const std::size_t cell = firstOther(Hash::XXH3);
-  if (cell < Element.size() && firstOther(Hash::First) < Element.size())
+  return cell < Element.size() && firstOther(Hash::First) < Element.size() ? cell : Element.size();
+}
+
+bool CellElements::Fit(const std::function<std::vector<std::int64_t>(Hash)>& now,
+  std::span<const std::int64_t> then) const
+{
+  return FirstMisfit(now, then) == Element.size();
+}
+
+void CellElements::Compare(vtkUnstructuredGrid* grid,
+  const std::function<std::vector<std::int64_t>(Hash)>& now, std::span<const std::int64_t> then,
+  const std::string& problem) const
+{
+  if (const std::size_t cell = FirstMisfit(now, then); cell < Element.size())
   {
     Fail(grid, cell, problem);
   }

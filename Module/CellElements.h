@@ -30,9 +30,12 @@ public:
   /// Returns the cell of each stored element, -1 where the cell was dropped.
   [[nodiscard]] std::vector<std::int32_t> CellOfElements(vtkIdType elements) const;
 
-  /// Throws StaleData with `problem` and the remedy for the first cell of `grid` whose fingerprint
-  /// differs from that of its element. Both hashes are accepted: the present one and that of the
-  /// first versions.
+  /// Whether the fingerprint of each cell is that of its element. Both hashes are accepted: the
+  /// present one and that of the first versions.
+  [[nodiscard]] bool Fit(const std::function<std::vector<std::int64_t>(Hash)>& now,
+    std::span<const std::int64_t> then) const;
+
+  /// Throws StaleData with `problem` and the remedy for the first cell of `grid` that does not fit.
   void Compare(vtkUnstructuredGrid* grid, const std::function<std::vector<std::int64_t>(Hash)>& now,
     std::span<const std::int64_t> then, const std::string& problem) const;
 
@@ -57,6 +60,10 @@ public:
   }
 
 private:
+  /// The first cell that does not fit, or the number of cells.
+  [[nodiscard]] std::size_t FirstMisfit(const std::function<std::vector<std::int64_t>(Hash)>& now,
+    std::span<const std::int64_t> then) const;
+
   std::vector<std::int64_t> Element;
   bool Whole = false; ///< cell i is element i
 };

@@ -252,6 +252,13 @@ int OrderLostByConversion(vtkUnstructuredGrid* grid)
   return highest == lost.end() ? -1 : *highest;
 }
 
+bool CellsHoldMap(vtkUnstructuredGrid* grid)
+{
+  LostOrders lost(static_cast<std::size_t>(grid->GetNumberOfCells()), -1);
+  AddStored(grid, "", lost);
+  return std::ranges::all_of(lost, [](int order) { return order < 0; });
+}
+
 std::string RemedyOf(vtkUnstructuredGrid* grid)
 {
   if (const int order = OrderLostByConversion(grid); order >= 0)

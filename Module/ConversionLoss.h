@@ -32,6 +32,10 @@ PIXELEXACTDATAMODEL_EXPORT void MarkLinearized(vtkUnstructuredGrid* grid, const 
 /// conversion leaves them out.
 PIXELEXACTDATAMODEL_EXPORT int OrderLostByConversion(vtkUnstructuredGrid* grid);
 
+/// Whether the cells hold the map of coefficients that are not packed, so that a conversion of the
+/// points would lose nothing of it.
+PIXELEXACTDATAMODEL_EXPORT bool CellsHoldMap(vtkUnstructuredGrid* grid);
+
 /// The end of a message on coefficients that do not fit: what a user can do. Begins with "; ".
 PIXELEXACTDATAMODEL_EXPORT std::string RemedyOf(vtkUnstructuredGrid* grid);
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #include "Cells/CellNodes.h"
 
 #include "Cells/LinearCell.h"
+#include "Core/Element/Mesh.h"
 
 #include "vtkCellType.h"
 #include "vtkHigherOrderHexahedron.h"
@@ -13,8 +14,12 @@
 #include "vtkPoints.h"
 #include "vtkTetra.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pixelexact
 {
@@ -206,6 +211,57 @@ CellNodes MakeCellNodes(Shape shape, const CellDegrees& degrees)
       return WedgeNodes(degrees);
     default:
       return TetrahedronNodes(degrees[0]);
+  }
+}
+
+CellDegrees CellDegreesOf(const Space& space)
+{
+  const auto degree = [](int order)
+  { return static_cast<unsigned char>(std::clamp(order, 1, kMaxCellDegree)); };
+  switch (space.shape)
+  {
+    case Shape::Hexahedron:
+      return { degree(space.order[0]), degree(space.order[1]), degree(space.order[2]) };
+    case Shape::Prism:
+      return { degree(space.order[2]), degree(space.order[2]), degree(space.order[1]) };
+    case Shape::Tetrahedron:
+      return { degree(space.order[2]), degree(space.order[2]), degree(space.order[2]) };
+    default:
+      return { 1, 1, 1 };
+  }
+}
+
+ElementCells::ElementCells(const Mesh& mesh, std::span<const CellDegrees> degrees)
+{
+  const auto elements = static_cast<std::size_t>(mesh.Elements());
+  std::vector<char> isNegative(elements);
+  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.Elements(), 64),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int e = range.begin(); e < range.end(); ++e)
+      {
+        isNegative[static_cast<std::size_t>(e)] = IsMirrored(mesh, e) ? 1 : 0;
+      }
+    });
+  Cells.resize(elements);
+  for (std::size_t e = 0; e < elements; ++e)
+  {
+    const Shape shape = mesh.ShapeOf(static_cast<int>(e));
+    const bool isLinearNegative = isNegative[e] != 0;
+    const auto [at, isNew] = Kinds.try_emplace({ shape, degrees[e], isLinearNegative });
+    if (isNew)
+    {
+      CellNodes nodes = MakeCellNodes(shape, degrees[e]);
+      const bool mirror = isLinearNegative != nodes.IsWoundAgainstLinear();
+      std::vector<Vec3> corners = LinearCellOf(shape).corners;
+      if (mirror)
+      {
+        Mirror(std::span(corners));
+      }
+      std::vector<Vec3> xi = nodes.Between(corners);
+      at->second = { std::move(nodes), mirror, std::move(xi) };
+    }
+    Cells[e] = &at->second;
   }
 }
 } // namespace pixelexact

@@ -2,17 +2,22 @@
 #ifndef CellNodes_h
 #define CellNodes_h
 
+#include "Core/Basis/Space.h"
 #include "Core/Math/Vec.h"
 #include "Core/Shape/Shape.h"
 
 #include <array>
+#include <map>
 #include <span>
+#include <tuple>
 #include <vector>
 
 // The nodes of VTK's Lagrange cells, by the corners of the shape's linear cell (LinearCellOf). The
 // numbering is taken from VTK's own classes, so that it follows the VTK that is built against.
 namespace pixelexact
 {
+struct Mesh;
+
 /// Degrees of a cell along VTK's r, s, t, 1 to kMaxCellDegree; those of a wedge's triangle are
 /// equal, and so are all of a tetrahedron's. All 1: the linear cell, the only one of pyramids.
 using CellDegrees = std::array<unsigned char, 3>;
@@ -48,5 +53,31 @@ struct CellNodes
 };
 
 [[nodiscard]] CellNodes MakeCellNodes(Shape shape, const CellDegrees& degrees);
+
+/// The degrees of a cell that holds a space's functions, at most kMaxCellDegree.
+[[nodiscard]] CellDegrees CellDegreesOf(const Space& space);
+
+/// A kind of cell, mirrored where VTK would compute a negative volume otherwise.
+struct CellOfKind
+{
+  CellNodes nodes;
+  bool isMirrored = false;
+  std::vector<Vec3> xi; ///< of the nodes, in the element
+};
+
+/// The cells of a mesh's elements with these degrees; those of one kind are made once.
+class ElementCells
+{
+public:
+  ElementCells(const Mesh& mesh, std::span<const CellDegrees> degrees);
+  [[nodiscard]] const CellOfKind& Of(int element) const
+  {
+    return *Cells[static_cast<std::size_t>(element)];
+  }
+
+private:
+  std::map<std::tuple<Shape, CellDegrees, bool>, CellOfKind> Kinds;
+  std::vector<const CellOfKind*> Cells;
+};
 } // namespace pixelexact
 #endif

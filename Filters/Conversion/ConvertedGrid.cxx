@@ -21,6 +21,26 @@ namespace pixelexact
 namespace
 {
 const std::string kName = std::string(kMeshPrefix) + "Slab";
+
+/// Whether element e is cell e, and there are no others.
+bool HoldsAllElements(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* spaces =
+    grid->GetFieldData()->GetArray((std::string(kMeshPrefix) + "Space").c_str());
+  vtkDataArray* ids = grid->GetCellData()->GetArray(kElementIds);
+  if (spaces == nullptr || spaces->GetNumberOfTuples() != grid->GetNumberOfCells())
+  {
+    return false;
+  }
+  for (vtkIdType cell = 0; ids != nullptr && cell < ids->GetNumberOfTuples(); ++cell)
+  {
+    if (ids->GetComponent(cell, 0) != static_cast<double>(cell))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 } // namespace
 
 void CopyElements(vtkUnstructuredGrid* input, const SourceMesh& mesh, vtkUnstructuredGrid* output)
@@ -77,6 +97,32 @@ bool HasSolverCoefficients(vtkUnstructuredGrid* grid)
     look(kFieldPrefix + name + ".");
   }
   return found;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> WithAllElements(vtkUnstructuredGrid* grid)
+{
+  return HoldsAllElements(grid) ? vtkSmartPointer<vtkUnstructuredGrid>(grid) : Unpack(Pack(grid));
+}
+
+Origin OriginOf(vtkUnstructuredGrid* grid, const std::string& prefix)
+{
+  vtkDataArray* origin = grid->GetFieldData()->GetArray((prefix + "Origin").c_str());
+  return static_cast<Origin>(static_cast<int>(origin->GetComponent(0, 0)));
+}
+
+void ShareField(vtkUnstructuredGrid* from, const std::string& name, vtkUnstructuredGrid* to)
+{
+  // A name may be the beginning of another, with a dot after it.
+  for (const char* part : { "Spaces", "Space", "Offset", "Coefficients", "Origin", "Components",
+         "Mapping", "Fingerprint", "Basis" })
+  {
+    vtkAbstractArray* array =
+      from->GetFieldData()->GetAbstractArray((kFieldPrefix + name + "." + part).c_str());
+    if (array != nullptr)
+    {
+      to->GetFieldData()->AddArray(array);
+    }
+  }
 }
 
 KeptMesh::KeptMesh() = default;

@@ -4,6 +4,7 @@
 
 #include "Conversion/SourceMesh.h"
 #include "Formats/Slab.h"
+#include "HighOrderArrays.h"
 #include "PixelExactFiltersModule.h"
 
 #include <optional>
@@ -23,6 +24,16 @@ void CopyElements(vtkUnstructuredGrid* input, const SourceMesh& mesh, vtkUnstruc
 /// Whether the grid carries coefficients from a solver's own file, which a conversion from nodal
 /// values could only lose.
 bool HasSolverCoefficients(vtkUnstructuredGrid* grid);
+
+/// The grid itself where element e is cell e and there are no others, else a copy of which that is
+/// so. The coefficients must fit and not be packed. Throws as HighOrderModel::From.
+vtkSmartPointer<vtkUnstructuredGrid> WithAllElements(vtkUnstructuredGrid* grid);
+
+/// The origin of the expansion under a prefix, which must be there.
+Origin OriginOf(vtkUnstructuredGrid* grid, const std::string& prefix);
+
+/// Adds the arrays of a field's coefficients to another grid with the same elements.
+void ShareField(vtkUnstructuredGrid* from, const std::string& name, vtkUnstructuredGrid* to);
 
 /// The mesh arrays of the last conversion, for the next time step: readers make new points and
 /// cells of the same values. With the arrays, models share the locator (HighOrderModel::From).

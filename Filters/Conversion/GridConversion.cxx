@@ -115,48 +115,13 @@ private:
 /// Adds the mesh's coefficients to `grid`, whose cell e is element e of `mesh`.
 void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
 {
-  MeshArrays arrays = MapArrays(mesh).Convert();
+  MeshArrays arrays = ConvertMaps(mesh);
   arrays.boundary = SourceFacesOf(grid, mesh);
   StoreMesh(grid, std::move(arrays), Origin::PointData);
   if (mesh.GetSlab())
   {
     StoreSlab(*mesh.GetSlab(), grid);
   }
-}
-
-/// Adds the coefficients of a field at the grid's points, in the spaces of the cells. Returns the
-/// number of elements with coefficients that are not finite.
-int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid)
-{
-  const int components = values->GetNumberOfComponents();
-  std::vector<Space> spaces;
-  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
-  for (int e = 0; e < mesh.Elements(); ++e)
-  {
-    spaces.push_back(mesh.Basis(e).GetSpace());
-  }
-  OwnedExpansion expansion;
-  expansion.Allocate(spaces, components);
-  const auto doubles = AsDoubles(values);
-  const std::span<const double> nodal(
-    doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
-  std::atomic<int> nonFinite{ 0 };
-  const std::vector<double> shifts(static_cast<std::size_t>(components));
-  ForElements(0, mesh.Elements(),
-    [&](int e)
-    {
-      thread_local std::vector<double> atNodes;
-      thread_local ChangeOfBasis::Scratch scratch;
-      const std::span<double> out = expansion.Coefficients(e);
-      mesh.GatherAll(e, nodal, components, components, atNodes);
-      mesh.Basis(e).change.Apply(atNodes, shifts, out, scratch);
-      if (!AllFinite(out))
-      {
-        ++nonFinite;
-      }
-    });
-  StoreField(grid, values->GetName(), { std::move(expansion) }, Origin::PointData);
-  return nonFinite;
 }
 
 /// Adds a field that is constant in each cell; `values` has one tuple per cell of `grid`. Returns
@@ -261,6 +226,44 @@ std::vector<std::string> DiagnoseMesh(
   return lines;
 }
 } // namespace
+
+MeshArrays ConvertMaps(const SourceMesh& mesh)
+{
+  return MapArrays(mesh).Convert();
+}
+
+int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid)
+{
+  const int components = values->GetNumberOfComponents();
+  std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    spaces.push_back(mesh.Basis(e).GetSpace());
+  }
+  OwnedExpansion expansion;
+  expansion.Allocate(spaces, components);
+  const auto doubles = AsDoubles(values);
+  const std::span<const double> nodal(
+    doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
+  std::atomic<int> nonFinite{ 0 };
+  const std::vector<double> shifts(static_cast<std::size_t>(components));
+  ForElements(0, mesh.Elements(),
+    [&](int e)
+    {
+      thread_local std::vector<double> atNodes;
+      thread_local ChangeOfBasis::Scratch scratch;
+      const std::span<double> out = expansion.Coefficients(e);
+      mesh.GatherAll(e, nodal, components, components, atNodes);
+      mesh.Basis(e).change.Apply(atNodes, shifts, out, scratch);
+      if (!AllFinite(out))
+      {
+        ++nonFinite;
+      }
+    });
+  StoreField(grid, values->GetName(), { std::move(expansion) }, Origin::PointData);
+  return nonFinite;
+}
 
 ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
   KeptMesh& kept, vtkUnstructuredGrid* output)

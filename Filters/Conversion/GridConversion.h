@@ -11,11 +11,14 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
 class KeptMesh;
+class SourceMesh;
+struct MeshArrays;
 
 struct ConversionOptions
 {
@@ -38,5 +41,15 @@ struct ConversionReport
 /// time step. Parallel. Throws Error naming the cell or array; the output is then undefined.
 ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
   KeptMesh& kept, vtkUnstructuredGrid* output);
+
+// Steps of ConvertGrid.
+
+/// The maps of a mesh's elements, from the points. Parallel.
+MeshArrays ConvertMaps(const SourceMesh& mesh);
+
+/// Adds the coefficients of a field at the grid's points, in the spaces of the cells; element e of
+/// `mesh` is cell e of `grid`. Returns the number of elements with coefficients that are not
+/// finite.
+int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

@@ -2,7 +2,9 @@
 #include "Conversion/ModelSource.h"
 
 #include "Conversion/ConvertedGrid.h"
+#include "Conversion/FollowedGrid.h"
 #include "Conversion/GridConversion.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "HighOrderArrays.h"
 
@@ -18,17 +20,52 @@ namespace pixelexact
 {
 namespace
 {
-bool IsPlain(const CompositePart& part)
+/// Why the grid's coefficients do not fit it; empty where they do.
+std::string MisfitOf(vtkUnstructuredGrid* grid)
 {
-  return !HasHighOrderArrays(part.grid);
+  try
+  {
+    HighOrderModel::From(grid);
+    return {};
+  }
+  catch (const StaleData& error)
+  {
+    return error.what();
+  }
+}
+
+/// Whether the grid carries coefficients that fit it, and no array that could be a field as well.
+bool IsComplete(vtkUnstructuredGrid* grid)
+{
+  return HasHighOrderArrays(grid) && MisfitOf(grid).empty() && !HasNewPointArrays(grid);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ConvertOne(
   vtkUnstructuredGrid* grid, KeptMesh& kept, vtkAlgorithm* owner, const std::string& where)
 {
-  auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  const auto report = ConvertGrid(grid, {}, kept, converted);
-  for (const auto& line : report.diagnostics)
+  vtkSmartPointer<vtkUnstructuredGrid> converted;
+  std::vector<std::string> lines;
+  if (HasSolverMesh(grid))
+  {
+    FollowedGrid followed = FollowGrid(grid);
+    converted = followed.grid;
+    lines = std::move(followed.notes);
+  }
+  else
+  {
+    const std::string misfit = HasHighOrderArrays(grid) ? MisfitOf(grid) : "";
+    if (HasHighOrderArrays(grid) && misfit.empty())
+    {
+      return WithNewFields(grid);
+    }
+    if (!misfit.empty() && (HasSolverCoefficients(grid) || OrderLostByConversion(grid) >= 0))
+    {
+      throw StaleData(misfit);
+    }
+    converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    lines = ConvertGrid(grid, {}, kept, converted).diagnostics;
+  }
+  for (const auto& line : lines)
   {
     vtkWarningWithObjectMacro(owner, << where << line);
   }
@@ -50,13 +87,13 @@ KeptMesh& ModelSource::Kept(std::size_t part)
 
 vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
 {
-  return HasHighOrderArrays(grid) ? nullptr : ConvertOne(grid, this->Kept(0), owner, "");
+  return IsComplete(grid) ? nullptr : ConvertOne(grid, this->Kept(0), owner, "");
 }
 
 vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkCompositeDataSet* data, vtkAlgorithm* owner)
 {
   const auto parts = PartsOf(data);
-  if (std::ranges::none_of(parts, IsPlain))
+  if (std::ranges::all_of(parts, [](const auto& part) { return IsComplete(part.grid); }))
   {
     return nullptr;
   }
@@ -73,9 +110,9 @@ vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkCompositeDataSet* data, v
     const CompositePart& part = parts[next];
     try
     {
-      const auto grid = IsPlain(part)
-        ? ConvertOne(part.grid, this->Kept(next), owner, part.name + ": ")
-        : vtkSmartPointer<vtkUnstructuredGrid>(part.grid);
+      const auto grid = IsComplete(part.grid)
+        ? vtkSmartPointer<vtkUnstructuredGrid>(part.grid)
+        : ConvertOne(part.grid, this->Kept(next), owner, part.name + ": ");
       converted->SetDataSet(leaf, grid);
     }
     catch (const Error& error)
@@ -141,16 +178,11 @@ std::string ChosenName(vtkAlgorithm* filter, const std::string& given)
 vtkSmartPointer<vtkUnstructuredGrid> WithCoefficients(
   vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
 {
-  if (HasHighOrderArrays(grid))
+  if (IsComplete(grid))
   {
     return grid;
   }
-  auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
   KeptMesh kept;
-  for (const auto& line : ConvertGrid(grid, {}, kept, converted).diagnostics)
-  {
-    vtkWarningWithObjectMacro(owner, << line);
-  }
-  return converted;
+  return ConvertOne(grid, kept, owner, "");
 }
 } // namespace pixelexact

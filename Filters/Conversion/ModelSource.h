@@ -22,8 +22,8 @@ namespace pixelexact
 class KeptMesh;
 
 /// Supplies the model of a filter's input: a grid with coefficients, a plain grid, or composite
-/// data of such grids. Plain grids are converted, and the conversion is kept until the grid
-/// changes.
+/// data of such grids. Plain grids are converted, changes of grids with a solver's coefficients are
+/// followed (FollowedGrid.h), and the result is kept until the grid changes.
 class ModelSource
 {
 public:
@@ -56,8 +56,8 @@ void TakeGrids(vtkInformation* port);
 /// process; empty where there is none.
 std::string ChosenName(vtkAlgorithm* filter, const std::string& given);
 
-/// Returns the grid itself where it has coefficients, else a converted one. Diagnostics of the
-/// conversion become warnings of `owner`. Throws Error.
+/// Returns the grid itself where it has coefficients that fit, else a grid as ModelSource makes it.
+/// Diagnostics become warnings of `owner`. Throws Error.
 vtkSmartPointer<vtkUnstructuredGrid> WithCoefficients(
   vtkUnstructuredGrid* grid, vtkAlgorithm* owner);
 } // namespace pixelexact

@@ -27,32 +27,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Whether element e is cell e, and there are no others.
-bool HoldsAllElements(vtkUnstructuredGrid* grid)
-{
-  vtkDataArray* spaces =
-    grid->GetFieldData()->GetArray((std::string(kMeshPrefix) + "Space").c_str());
-  vtkDataArray* ids = grid->GetCellData()->GetArray(kElementIds);
-  if (spaces == nullptr || spaces->GetNumberOfTuples() != grid->GetNumberOfCells())
-  {
-    return false;
-  }
-  for (vtkIdType cell = 0; ids != nullptr && cell < ids->GetNumberOfTuples(); ++cell)
-  {
-    if (ids->GetComponent(cell, 0) != static_cast<double>(cell))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-Origin OriginOf(vtkUnstructuredGrid* grid, const std::string& prefix)
-{
-  vtkDataArray* origin = grid->GetFieldData()->GetArray((prefix + "Origin").c_str());
-  return static_cast<Origin>(static_cast<int>(origin->GetComponent(0, 0)));
-}
-
 /// The values of a field at the grid's points; null where there is no array of them.
 vtkDataArray* ValuesAtPointsOf(vtkUnstructuredGrid* grid, const Field& field)
 {
@@ -171,17 +145,7 @@ void ShareFields(vtkUnstructuredGrid* from, const HighOrderModel& model, vtkUnst
       to->GetCellData()->RemoveArray(field.name.c_str());
       continue;
     }
-    // A name may be the beginning of another, with a dot after it.
-    for (const char* part : { "Spaces", "Space", "Offset", "Coefficients", "Origin", "Components",
-           "Fingerprint", "Basis" })
-    {
-      vtkAbstractArray* array =
-        from->GetFieldData()->GetAbstractArray((kFieldPrefix + field.name + "." + part).c_str());
-      if (array != nullptr)
-      {
-        to->GetFieldData()->AddArray(array);
-      }
-    }
+    ShareField(from, field.name, to);
   }
 }
 } // namespace
@@ -192,9 +156,7 @@ WarpedGrid WarpGrid(vtkUnstructuredGrid* grid, const WarpRequest& request)
   {
     throw InvalidData("the scale of the displacement is NaN or infinite; give a finite number.");
   }
-  const auto whole = IsPacked(grid) ? Unpack(grid)
-    : HoldsAllElements(grid)        ? vtkSmartPointer<vtkUnstructuredGrid>(grid)
-                                    : Unpack(Pack(grid));
+  const auto whole = WithAllElements(IsPacked(grid) ? Unpack(grid).Get() : grid);
   const auto model = HighOrderModel::From(whole);
   const Mesh& mesh = model->GetMesh();
   const Displacement displacement = DisplacementOf(*model, whole, request);

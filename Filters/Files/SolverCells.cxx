@@ -32,24 +32,6 @@ namespace
 /// affects the cells, not the elements.
 constexpr double kSamePoint = 1e-9;
 
-/// The degrees, along VTK's r, s and t, of a cell that holds a space's functions.
-CellDegrees DegreesOf(const Space& space)
-{
-  const auto degree = [](int order)
-  { return static_cast<unsigned char>(std::clamp(order, 1, kMaxCellDegree)); };
-  switch (space.shape)
-  {
-    case Shape::Hexahedron:
-      return { degree(space.order[0]), degree(space.order[1]), degree(space.order[2]) };
-    case Shape::Prism:
-      return { degree(space.order[2]), degree(space.order[2]), degree(space.order[1]) };
-    case Shape::Tetrahedron:
-      return { degree(space.order[2]), degree(space.order[2]), degree(space.order[2]) };
-    default:
-      return { 1, 1, 1 };
-  }
-}
-
 /// The name of a node on a vertex, edge or face: the points at the corners and its weights there.
 struct NodeName
 {
@@ -277,7 +259,7 @@ CellLayout NodeLayout(const Mesh& mesh, const std::vector<SolverField>& fields)
   {
     for (std::size_t e = 0; e < layout.degrees.size(); ++e)
     {
-      const CellDegrees own = DegreesOf(values.SpaceOf(static_cast<int>(e)));
+      const CellDegrees own = CellDegreesOf(values.SpaceOf(static_cast<int>(e)));
       std::ranges::transform(own, layout.degrees[e], layout.degrees[e].begin(),
         [](unsigned char a, unsigned char b) { return std::max(a, b); });
     }
@@ -292,36 +274,8 @@ CellLayout NodeLayout(const Mesh& mesh, const std::vector<SolverField>& fields)
   return layout;
 }
 
-LayoutCells::LayoutCells(const Mesh& mesh, const CellLayout& layout)
-{
-  const auto elements = static_cast<std::size_t>(mesh.Elements());
-  std::vector<char> isNegative(elements);
-  ForElements(0, mesh.Elements(),
-    [&](int e) { isNegative[static_cast<std::size_t>(e)] = IsMirrored(mesh, e) ? 1 : 0; });
-  Cells.resize(elements);
-  for (std::size_t e = 0; e < elements; ++e)
-  {
-    const Shape shape = mesh.ShapeOf(static_cast<int>(e));
-    const bool isLinearNegative = isNegative[e] != 0;
-    const auto [at, isNew] = Kinds.try_emplace({ shape, layout.degrees[e], isLinearNegative });
-    if (isNew)
-    {
-      CellNodes nodes = MakeCellNodes(shape, layout.degrees[e]);
-      const bool mirror = isLinearNegative != nodes.IsWoundAgainstLinear();
-      std::vector<Vec3> corners = LinearCellOf(shape).corners;
-      if (mirror)
-      {
-        Mirror(std::span(corners));
-      }
-      std::vector<Vec3> xi = nodes.Between(corners);
-      at->second = { std::move(nodes), mirror, std::move(xi) };
-    }
-    Cells[e] = &at->second;
-  }
-}
-
 void MakeCells(const SolverMesh& solver, const Mesh& mesh, const CellLayout& layout,
-  const LayoutCells& cells, vtkUnstructuredGrid* grid)
+  const ElementCells& cells, vtkUnstructuredGrid* grid)
 {
   PointMaker points(solver, layout);
   std::vector<vtkIdType> ids;
@@ -356,7 +310,7 @@ bool IsConstantPerElement(const Expansion& values)
 }
 
 void AddNodeValues(
-  const Mesh& mesh, const Field& field, const LayoutCells& cells, vtkUnstructuredGrid* grid)
+  const Mesh& mesh, const Field& field, const ElementCells& cells, vtkUnstructuredGrid* grid)
 {
   const int components = field.values.components;
   vtkNew<vtkDoubleArray> array;

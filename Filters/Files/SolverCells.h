@@ -6,8 +6,6 @@
 #include "Formats/SolverModel.h"
 
 #include <cstdint>
-#include <map>
-#include <tuple>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -39,33 +37,10 @@ struct CellLayout
 /// Elements share points if all fields of degree 1 or more are continuous.
 [[nodiscard]] CellLayout NodeLayout(const Mesh& mesh, const std::vector<SolverField>& fields);
 
-/// A kind of cell, mirrored where VTK would compute a negative volume otherwise.
-struct CellOfKind
-{
-  CellNodes nodes;
-  bool isMirrored = false;
-  std::vector<Vec3> xi; ///< of the nodes, in the element
-};
-
-/// The cells of a layout by element; those of one kind are made once.
-class LayoutCells
-{
-public:
-  LayoutCells(const Mesh& mesh, const CellLayout& layout);
-  [[nodiscard]] const CellOfKind& Of(int element) const
-  {
-    return *Cells[static_cast<std::size_t>(element)];
-  }
-
-private:
-  std::map<std::tuple<Shape, CellDegrees, bool>, CellOfKind> Kinds;
-  std::vector<const CellOfKind*> Cells;
-};
-
 /// Makes the points and cells of `grid`. `mesh` views `solver`. Nodes of one place on a common
 /// vertex, edge or face are one point where the layout shares points.
 void MakeCells(const SolverMesh& solver, const Mesh& mesh, const CellLayout& layout,
-  const LayoutCells& cells, vtkUnstructuredGrid* grid);
+  const ElementCells& cells, vtkUnstructuredGrid* grid);
 
 /// Whether a field has degree 0 in all elements, so that a value per cell is all of it.
 [[nodiscard]] bool IsConstantPerElement(const Expansion& values);
@@ -73,6 +48,6 @@ void MakeCells(const SolverMesh& solver, const Mesh& mesh, const CellLayout& lay
 /// Adds the field's values at the points of the cells as point data. Where elements share points
 /// they agree up to rounding; the last one's value is kept.
 void AddNodeValues(
-  const Mesh& mesh, const Field& field, const LayoutCells& cells, vtkUnstructuredGrid* grid);
+  const Mesh& mesh, const Field& field, const ElementCells& cells, vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

@@ -48,7 +48,7 @@ std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh
 /// Adds the file's attributes and groups, for VTK's filters and for people (see SolverGrid.h).
 /// `grid` has these cells.
 void AddGroups(
-  const SolverMesh& mesh, const Mesh& view, const LayoutCells& cells, vtkUnstructuredGrid* grid)
+  const SolverMesh& mesh, const Mesh& view, const ElementCells& cells, vtkUnstructuredGrid* grid)
 {
   const auto elements = static_cast<vtkIdType>(mesh.number.size());
   if (!mesh.attribute.empty())
@@ -133,7 +133,7 @@ CellLayout StoreSolverMesh(SolverMesh&& mesh, const LayoutRule& rule, vtkUnstruc
   const Mesh view{ mesh.map.View(), mesh.centre, mesh.size, mesh.uncertainty };
   Validate(view);
   CellLayout layout = rule(view);
-  const LayoutCells cells(view, layout);
+  const ElementCells cells(view, layout.degrees);
   MakeCells(mesh, view, layout, cells, grid);
   MeshArrays arrays;
   arrays.boundary = AttributedFacesOf(mesh, view);
@@ -182,7 +182,7 @@ void StoreSolverField(SolverField&& field, const CellLayout& layout, vtkUnstruct
     field.continuous || (!layout.sharesPoints && !IsConstantPerElement(view.values));
   if (atPoints)
   {
-    AddNodeValues(model->GetMesh(), view, LayoutCells(model->GetMesh(), layout), grid);
+    AddNodeValues(model->GetMesh(), view, ElementCells(model->GetMesh(), layout.degrees), grid);
   }
   else
   {

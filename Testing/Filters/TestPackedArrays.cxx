@@ -304,16 +304,16 @@ TEST(PackedArrays, PackedAgainIsTheSame)
 
 TEST(PackedArrays, StaleInputIsRefused)
 {
-  vtkNew<vtkTransform> transform;
-  transform->Translate(1.0, 0.0, 0.0);
-  vtkNew<vtkTransformFilter> move;
-  move->SetTransform(transform);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.3, 0.2, 1.0);
+  vtkNew<vtkClipDataSet> clip;
+  clip->SetClipFunction(plane);
   vtkNew<vtkHighOrderPack> pack;
   vtkNew<Messages> messages;
   messages->Watch(pack);
-  pack->SetInputDataObject(Filtered(*move, Escher()));
+  pack->SetInputDataObject(Filtered(*clip, Escher()));
   pack->Update();
-  EXPECT_NE(messages->errors.find("moved"), std::string::npos) << messages->errors;
+  EXPECT_NE(messages->errors.find("(Clip)"), std::string::npos) << messages->errors;
   EXPECT_EQ(pack->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
 }
 } // namespace

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -252,43 +253,55 @@ struct WarpedElement
   double uncertainty;
 };
 
+/// Changes the units of an element where it has outgrown them. `magnitudes`: per mode, in world
+/// units, of the terms that it is the sum of.
+void FitUnits(WarpedElement& warped, std::vector<long double>& magnitudes)
+{
+  const Box3 box = HullOfModes(warped.space, warped.modes);
+  if (FitsUnits(box))
+  {
+    return;
+  }
+  const ElementUnits units = MakeElementUnits(
+    warped.centre + warped.size * box.lower, warped.centre + warped.size * box.upper);
+  const double size = std::ldexp(1.0, units.exponent);
+  const std::size_t count = warped.modes.size() / 3;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const int d = static_cast<int>(c);
+    const long double shift =
+      static_cast<long double>(warped.centre[d]) - static_cast<long double>(units.centre[d]);
+    // The first mode is the constant 1.
+    warped.modes[c * count] += shift / warped.size;
+    magnitudes[c * count] += std::fabs(shift);
+  }
+  for (long double& mode : warped.modes)
+  {
+    mode *= warped.size / size;
+  }
+  warped.centre = units.centre;
+  warped.size = size;
+}
+
+Vec3 CentreOf(const Mesh& mesh, std::size_t element)
+{
+  return { mesh.centre[3 * element], mesh.centre[3 * element + 1], mesh.centre[3 * element + 2] };
+}
+
 WarpedElement WarpElement(
   const Mesh& mesh, int element, std::span<const WarpTerm> displacement, double scale, double jump)
 {
   const auto e = static_cast<std::size_t>(element);
   const DisplacementSum sum(mesh, element, displacement);
   const std::vector<double> map = EmbeddedMap(mesh, element, sum.GetSpace());
-  WarpedElement warped{ sum.GetSpace(), {},
-    { mesh.centre[3 * e], mesh.centre[3 * e + 1], mesh.centre[3 * e + 2] }, mesh.size[e], 0.0 };
+  WarpedElement warped{ sum.GetSpace(), {}, CentreOf(mesh, e), mesh.size[e], 0.0 };
   std::vector<long double> magnitudes;
   for (std::size_t k = 0; k < map.size(); ++k)
   {
     warped.modes.push_back(map[k] + scale * (sum.Modes()[k] / warped.size));
     magnitudes.push_back(std::fabs(map[k] * warped.size) + std::fabs(scale * sum.Modes()[k]));
   }
-  const Box3 box = HullOfModes(warped.space, warped.modes);
-  if (!FitsUnits(box))
-  {
-    const ElementUnits units = MakeElementUnits(
-      warped.centre + warped.size * box.lower, warped.centre + warped.size * box.upper);
-    const double size = std::ldexp(1.0, units.exponent);
-    const std::size_t count = warped.modes.size() / 3;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const int d = static_cast<int>(c);
-      const long double shift =
-        static_cast<long double>(warped.centre[d]) - static_cast<long double>(units.centre[d]);
-      // The first mode is the constant 1.
-      warped.modes[c * count] += shift / warped.size;
-      magnitudes[c * count] += std::fabs(shift);
-    }
-    for (long double& mode : warped.modes)
-    {
-      mode *= warped.size / size;
-    }
-    warped.centre = units.centre;
-    warped.size = size;
-  }
+  FitUnits(warped, magnitudes);
   warped.uncertainty = mesh.uncertainty[e] + std::fabs(scale) * jump +
     Gamma(kMapRoundings) * BoundOf(warped.space, magnitudes) +
     std::fabs(scale) * Gamma(kFieldRoundings) * BoundOf(warped.space, sum.Magnitudes());
@@ -297,6 +310,91 @@ WarpedElement WarpElement(
     throw InvalidData("is too large for double arithmetic; give a smaller scale.");
   }
   return warped;
+}
+
+WarpedElement MoveElement(
+  const Mesh& mesh, int element, const AffineMotion& motion, double stretch, double error)
+{
+  const auto e = static_cast<std::size_t>(element);
+  const Space& space = mesh.map.SpaceOf(element);
+  const auto count = static_cast<std::size_t>(space.Modes());
+  const double* map = mesh.map.Coefficients(element);
+  WarpedElement moved{ space, {}, {}, mesh.size[e], 0.0 };
+  std::vector<long double> magnitudes;
+  const std::array<long double, 3> centre = motion.Apply(CentreOf(mesh, e));
+  double largest = 0.0; // of the coordinates from which the centre is computed
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      long double sum = 0.0L;
+      long double magnitude = 0.0L;
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        const long double term = motion.matrix[c][j] * map[j * count + k];
+        sum += term;
+        magnitude += std::fabs(term);
+      }
+      moved.modes.push_back(sum);
+      magnitudes.push_back(magnitude * moved.size);
+    }
+    const int d = static_cast<int>(c);
+    moved.centre[d] = static_cast<double>(centre[c]);
+    // The first mode is the constant 1.
+    const long double rest = centre[c] - static_cast<long double>(moved.centre[d]);
+    moved.modes[c * count] += rest / moved.size;
+    magnitudes[c * count] += std::fabs(rest);
+    largest = std::max(largest, static_cast<double>(std::fabs(motion.to[c])));
+  }
+  FitUnits(moved, magnitudes);
+  const Vec3 from(motion.from[0], motion.from[1], motion.from[2]);
+  const Vec3 arm = CentreOf(mesh, e) - from;
+  largest += stretch * std::hypot(arm.x, arm.y, arm.z);
+  moved.uncertainty = stretch * mesh.uncertainty[e] + error +
+    Gamma(kMapRoundings) * BoundOf(space, magnitudes) +
+    kMapRoundings * static_cast<double>(std::numeric_limits<long double>::epsilon()) * largest;
+  if (!std::isfinite(moved.uncertainty))
+  {
+    throw InvalidData("is too large for double arithmetic; move the mesh nearer to the origin.");
+  }
+  return moved;
+}
+
+/// The mesh of the elements that make(e) returns, in these spaces.
+template <class Make>
+OwnedMesh MakeMesh(std::span<const Space> spaces, Make&& make)
+{
+  const std::size_t elements = spaces.size();
+  OwnedMesh mesh;
+  mesh.map.Allocate(spaces, 3);
+  mesh.centre.resize(3 * elements);
+  mesh.size.resize(elements);
+  mesh.uncertainty.resize(elements);
+  tbb::parallel_for(std::size_t{ 0 }, elements,
+    [&](std::size_t e)
+    {
+      WarpedElement element;
+      try
+      {
+        element = make(static_cast<int>(e));
+      }
+      catch (const InvalidData& error)
+      {
+        const std::string problem = error.what();
+        throw InvalidData(problem.starts_with("is too large")
+            ? "element " + std::to_string(e) + " of the deformed mesh " + problem
+            : problem);
+      }
+      std::ranges::transform(element.modes, mesh.map.Coefficients(e).begin(),
+        [](long double mode) { return static_cast<double>(mode); });
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        mesh.centre[3 * e + c] = element.centre[static_cast<int>(c)];
+      }
+      mesh.size[e] = element.size;
+      mesh.uncertainty[e] = element.uncertainty;
+    });
+  return mesh;
 }
 } // namespace
 
@@ -314,10 +412,8 @@ JointModes JoinModes(const Mesh& mesh, int element, std::span<const WarpTerm> di
 OwnedMesh WarpedMesh(
   const Mesh& mesh, std::span<const WarpTerm> displacement, double scale, double jump)
 {
-  const auto elements = static_cast<std::size_t>(mesh.Elements());
-  OwnedMesh warped;
   std::vector<Space> spaces;
-  spaces.reserve(elements);
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     Space space = mesh.map.SpaceOf(e);
@@ -327,34 +423,43 @@ OwnedMesh WarpedMesh(
     }
     spaces.push_back(space);
   }
-  warped.map.Allocate(spaces, 3);
-  warped.centre.resize(3 * elements);
-  warped.size.resize(elements);
-  warped.uncertainty.resize(elements);
-  tbb::parallel_for(std::size_t{ 0 }, elements,
-    [&](std::size_t e)
+  return MakeMesh(spaces, [&](int e) { return WarpElement(mesh, e, displacement, scale, jump); });
+}
+
+std::array<long double, 3> AffineMotion::Apply(const Vec3& x) const
+{
+  std::array<long double, 3> image = to;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
     {
-      WarpedElement element;
-      try
-      {
-        element = WarpElement(mesh, static_cast<int>(e), displacement, scale, jump);
-      }
-      catch (const InvalidData& error)
-      {
-        const std::string problem = error.what();
-        throw InvalidData(problem.starts_with("is too large")
-            ? "element " + std::to_string(e) + " of the deformed mesh " + problem
-            : problem);
-      }
-      std::ranges::transform(element.modes, warped.map.Coefficients(e).begin(),
-        [](long double mode) { return static_cast<double>(mode); });
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        warped.centre[3 * e + c] = element.centre[static_cast<int>(c)];
-      }
-      warped.size[e] = element.size;
-      warped.uncertainty[e] = element.uncertainty;
-    });
-  return warped;
+      image[c] += matrix[c][j] * (static_cast<long double>(x[static_cast<int>(j)]) - from[j]);
+    }
+  }
+  return image;
+}
+
+double StretchOf(const AffineMotion& motion)
+{
+  long double sum = 0.0L;
+  for (const auto& row : motion.matrix)
+  {
+    sum += row[0] * row[0] + row[1] * row[1] + row[2] * row[2];
+  }
+  return static_cast<double>(std::sqrt(sum));
+}
+
+OwnedMesh MovedMesh(const Mesh& mesh, const AffineMotion& motion, std::span<const double> errors)
+{
+  std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    spaces.push_back(mesh.map.SpaceOf(e));
+  }
+  const double stretch = StretchOf(motion);
+  return MakeMesh(spaces,
+    [&](int e)
+    { return MoveElement(mesh, e, motion, stretch, errors[static_cast<std::size_t>(e)]); });
 }
 } // namespace pixelexact

@@ -5,10 +5,12 @@
 #include "Core/Element/OwnedExpansion.h"
 #include "Core/Math/Vec.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
-// Deformed meshes: x + s u, with a displacement u that is a polynomial in xi on each element.
+// Deformed meshes: x + s u, with a displacement u that is a polynomial in xi on each element, and
+// affine images.
 namespace pixelexact
 {
 /// A term of a displacement: a component of a field times a constant vector. The field has no
@@ -51,4 +53,23 @@ struct OwnedMesh
 /// elements that become too large.
 [[nodiscard]] OwnedMesh WarpedMesh(
   const Mesh& mesh, std::span<const WarpTerm> displacement, double scale, double jump);
+
+/// x becomes to + matrix (x - from).
+struct AffineMotion
+{
+  std::array<std::array<long double, 3>, 3> matrix{};
+  std::array<long double, 3> from{};
+  std::array<long double, 3> to{};
+
+  [[nodiscard]] std::array<long double, 3> Apply(const Vec3& x) const;
+};
+
+/// A bound of the factor by which the motion stretches a vector.
+[[nodiscard]] double StretchOf(const AffineMotion& motion);
+
+/// The affine image of a mesh. `errors`: per element, how far the motion may be from the true one,
+/// in world units; uncertainties are scaled by the motion and grow by that and by the rounding of
+/// the coefficients. Parallel. Throws InvalidData for elements that become too large.
+[[nodiscard]] OwnedMesh MovedMesh(
+  const Mesh& mesh, const AffineMotion& motion, std::span<const double> errors);
 } // namespace pixelexact
