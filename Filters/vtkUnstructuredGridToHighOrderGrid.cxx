@@ -4,6 +4,7 @@
 #include "Conversion/ConvertedGrid.h"
 #include "Conversion/FollowedGrid.h"
 #include "Conversion/GridConversion.h"
+#include "Conversion/ModelSource.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Grids/FilterInput.h"
@@ -38,6 +39,11 @@ void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "MirroredWedges: " << this->MirroredWedges << "\n";
   os << indent << "Diagnose: " << this->Diagnose << "\n";
   os << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n";
+}
+
+bool vtkUnstructuredGridToHighOrderGrid::IsConverted(vtkUnstructuredGrid* grid)
+{
+  return IsComplete(grid);
 }
 
 int vtkUnstructuredGridToHighOrderGrid::GetNumberOfNonFiniteElements(const std::string& field)

@@ -12,11 +12,20 @@
  * quadratic, Lagrange, Bezier) lie in a plane z = const becomes a thin slab on it (files.md): its
  * cells stay plane, its coefficients are those of prisms and hexahedra.
  *
- * A grid that carries coefficients already, for instance one whose points were moved since, is
- * converted again from its points and nodal values; coefficients that a reader took from a solver's
- * own file are kept as long as they are not stale. A grid whose coefficients no longer fit is
- * refused where the conversion would lose an order: the cells beside a solver's coefficients, and
- * those that Clip or Tetrahedralize cuts out of curved ones, are linear.
+ * A grid that carries coefficients already may have been changed since by filters. If they come
+ * from nodal values, it is converted again. A solver's own coefficients are kept, and changes are
+ * followed:
+ *
+ * - If all points were moved by an affine motion (vtkTransformFilter), the coefficients of the map
+ *   move with them.
+ * - If points were moved otherwise (vtkWarpVector), the map is the polynomial through the cells'
+ *   points; the cells must be Lagrange cells of the elements' order.
+ * - Arrays of point data that are new or have other values than their field become fields: the
+ *   polynomials through their values at the cells' points. Warnings name changed ones.
+ *
+ * H(curl), H(div) and density fields of moved grids are left out, with a warning. Grids whose cells
+ * were cut (vtkClipDataSet), and other changes of grids with linear cells beside curved elements,
+ * are errors.
  *
  * Where the cells and points are those of the last execution, as in the next time step of a series,
  * the output holds the same mesh arrays again, only fields are converted, and whoever locates
@@ -50,6 +59,12 @@ public:
   static vtkUnstructuredGridToHighOrderGrid* New();
   vtkTypeMacro(vtkUnstructuredGridToHighOrderGrid, vtkHighOrderGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Whether a grid carries coefficients that fit its cells and arrays, and no array that could be a
+   * field as well. Of others, this filter makes such a grid.
+   */
+  static bool IsConverted(vtkUnstructuredGrid* grid);
 
   ///@{
   /**

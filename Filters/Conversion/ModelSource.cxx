@@ -20,24 +20,22 @@ namespace pixelexact
 {
 namespace
 {
-/// Why the grid's coefficients do not fit it; empty where they do.
-std::string MisfitOf(vtkUnstructuredGrid* grid)
+/// Why the grid's coefficients do not fit it; empty where they do. The caller may take the model.
+std::string MisfitOf(vtkUnstructuredGrid* grid, std::shared_ptr<HighOrderModel>* model = nullptr)
 {
   try
   {
-    HighOrderModel::From(grid);
+    const auto made = HighOrderModel::From(grid);
+    if (model != nullptr)
+    {
+      *model = made;
+    }
     return {};
   }
   catch (const StaleData& error)
   {
     return error.what();
   }
-}
-
-/// Whether the grid carries coefficients that fit it, and no array that could be a field as well.
-bool IsComplete(vtkUnstructuredGrid* grid)
-{
-  return HasHighOrderArrays(grid) && MisfitOf(grid).empty() && !HasNewPointArrays(grid);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ConvertOne(
@@ -135,7 +133,13 @@ std::shared_ptr<HighOrderModel> ModelSource::Get(vtkDataObject* data, vtkAlgorit
   const DataState state = StateOf(data);
   if (!this->Model || this->Source != state)
   {
-    // The old model is held until the new one is made, which may share its locator.
+    // The old model is held until the new one is made, which may share its locator. So is that of
+    // a grid that fits, which IsComplete makes.
+    std::shared_ptr<HighOrderModel> fitting;
+    if (HasHighOrderArrays(grid))
+    {
+      MisfitOf(grid, &fitting);
+    }
     this->Source.clear();
     this->Converted = nullptr;
     this->Converted = grid ? this->Convert(grid, owner) : this->Convert(composite, owner);
@@ -152,6 +156,12 @@ std::shared_ptr<HighOrderModel> ModelSource::Get(vtkDataObject* data, vtkAlgorit
 vtkDataObject* ModelSource::GridOf(vtkDataObject* data) const
 {
   return this->Converted ? this->Converted.Get() : data;
+}
+
+bool IsComplete(vtkUnstructuredGrid* grid)
+{
+  return grid != nullptr && HasHighOrderArrays(grid) && MisfitOf(grid).empty() &&
+    !HasNewPointArrays(grid);
 }
 
 void TakeGrids(vtkInformation* port)

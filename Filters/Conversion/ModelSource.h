@@ -50,6 +50,10 @@ private:
   std::vector<std::unique_ptr<KeptMesh>> Meshes; ///< by leaf
 };
 
+/// Whether the grid carries coefficients that fit it, and no array that could be a field as well,
+/// so that a ModelSource takes it as it is.
+[[nodiscard]] bool IsComplete(vtkUnstructuredGrid* grid);
+
 /// Lets a port accept the data that a ModelSource accepts.
 void TakeGrids(vtkInformation* port);
 /// Returns `given` or, where it is empty, the name of the first array that the filter has to

@@ -33,15 +33,15 @@ vtkStandardNewMacro(vtkPixelExactRepresentation);
 
 namespace
 {
-/// Whether any grid is without coefficients.
-bool HasPlainGrids(vtkDataObject* data)
+/// Whether any grid is without coefficients, or changed since.
+bool NeedsConversion(vtkDataObject* data)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
     return std::ranges::any_of(pixelexact::PartsOf(composite),
-      [](const auto& part) { return !pixelexact::HasHighOrderArrays(part.grid); });
+      [](const auto& part) { return !vtkUnstructuredGridToHighOrderGrid::IsConverted(part.grid); });
   }
-  return !pixelexact::HasHighOrderArrays(vtkUnstructuredGrid::SafeDownCast(data));
+  return !vtkUnstructuredGridToHighOrderGrid::IsConverted(vtkUnstructuredGrid::SafeDownCast(data));
 }
 } // namespace
 
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoeff
 {
   auto shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
   // In a parallel run, processes may have no cells.
-  if (HasCells(data) && HasPlainGrids(data))
+  if (HasCells(data) && NeedsConversion(data))
   {
     // Reads a copy, because the pipeline's object is in use by others.
     shown->ShallowCopy(data);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Deformed meshes in Python: the function warp, and the keyword of read, render, cut and probe."""
+"""Deformed meshes in Python: the function warp, the keyword of read, render, cut and probe, and what
+VTK's own filters do to grids."""
 
 import os
 import unittest
@@ -7,6 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkArrayCalculator
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 
 import pixelexact
 
@@ -47,6 +51,41 @@ class Warp(unittest.TestCase):
             pixelexact.render(self.grid, "u", size=(2, 2), warp_direction=UP)
         with self.assertRaisesRegex(ValueError, "FIELD=SCALE"):
             pixelexact.render(self.grid, "u", size=(2, 2), warp="u=much")
+
+
+class FollowedFilters(unittest.TestCase):
+    def test_motions_and_new_arrays_of_a_solvers_grid(self):
+        channel = Path(os.environ["PIXELEXACT_DATA_DIR"]) / "nek_prism_curved_p7"
+        grid = pixelexact.read(
+            channel / "nek_prism_curved_p7.xml", channel / "nek_prism_curved_p7.fld")
+        # The middles of the cells' corners; some may lie outside of curved elements.
+        corners = [[grid.GetPoint(grid.GetCell(c).GetPointId(k)) for k in range(6)]
+                   for c in range(grid.GetNumberOfCells())]
+        points = np.mean(corners, axis=1)
+        before = pixelexact.probe(grid, "u", points)
+        self.assertGreater(before.inside.mean(), 0.8)
+
+        transform = vtkTransform()
+        transform.Translate(10.0, 20.0, 30.0)
+        transform.RotateWXYZ(50.0, 1.0, 1.0, 0.3)
+        calculator = vtkArrayCalculator()
+        calculator.SetInputData(grid)
+        calculator.AddScalarArrayName("u")
+        calculator.SetFunction("3*u + 1")
+        calculator.SetResultArrayName("Result")
+        move = vtkTransformFilter()
+        move.SetTransform(transform)
+        move.SetInputConnection(calculator.GetOutputPort())
+        move.Update()
+        moved = np.array([transform.TransformPoint(p) for p in points])
+        for name, expected in (("u", before.values), ("Result", 3 * before.values + 1)):
+            after = pixelexact.probe(move.GetOutput(), name, moved)
+            np.testing.assert_array_equal(after.inside, before.inside)
+            np.testing.assert_allclose(
+                after.values[before.inside], expected[before.inside], rtol=0, atol=1e-11)
+        picture = pixelexact.render(move.GetOutput(), "Result", size=(60, 40))
+        self.assertGreater((picture.verdicts == 1).mean(), 0.05)
+        self.assertEqual((picture.verdicts == 2).sum(), 0)
 
 
 if __name__ == "__main__":

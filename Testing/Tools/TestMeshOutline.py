@@ -82,6 +82,16 @@ class Outline(ToolTest):
         self.assertGreater((bare[inside][:, 2] == 255).sum(), 10)  # blue or white, not red
         self.assertGreater((lines[inside] > 0.9).sum(), 10)
 
+    def test_undeformed(self):
+        before = self.lines("--plane", "z", "--mesh-outline")
+        warp = ["--warp", "u=0.2", "--warp-direction", "1,0,0"]
+        after = self.lines("--plane", "z", "--mesh-outline=undeformed", *warp)
+        np.testing.assert_array_equal(after, before)
+        self.assertGreater(
+            np.abs(self.lines("--plane", "z", "--mesh-outline", *warp) - before).max(), 0.9)
+        self.fails(2, "render", self.cube, "--plane", "z", "--mesh-outline=undeformed",
+            "-o", self.folder / "a.png", names=["--warp"])
+
     def test_camera_sees_all_of_it(self):
         image = self.folder / "a.png"
         for kind in ["--mesh-outline", "--mesh-outline=box"]:

@@ -48,8 +48,8 @@ def _chosen(steps: list[float], time_step: int, mesh: Path) -> int:
 
 
 def as_high_order(grid: Any, progress: Progress = None) -> vtkHighOrderGrid:
-    """A vtkUnstructuredGrid as one with coefficients: those that it carries, else converted."""
-    if not vtkHighOrderGrid.IsHighOrder(grid):
+    """A vtkUnstructuredGrid as one with coefficients that fit: those that it carries, else converted."""
+    if not vtkUnstructuredGridToHighOrderGrid.IsConverted(grid):
         converter = vtkUnstructuredGridToHighOrderGrid()
         converter.SetInputData(grid)
         run(converter, progress)

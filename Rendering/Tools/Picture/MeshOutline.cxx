@@ -73,11 +73,11 @@ void MeshOutline::AddTo(CLI::App& command)
   Bind(command, "--mesh-outline",
     [this](const std::string& text)
     {
-      if (text != "boundary" && text != "box")
+      if (text != "boundary" && text != "box" && text != "undeformed")
       {
-        Refuse("--mesh-outline", text, "boundary or box");
+        Refuse("--mesh-outline", text, "boundary, box or undeformed");
       }
-      Kind = text == "box" ? Of::Box : Of::Boundary;
+      Kind = text == "box" ? Of::Box : text == "undeformed" ? Of::Undeformed : Of::Boundary;
     });
   Bind(command, "--mesh-outline-width", Width);
   Bind(command, "--mesh-outline-color", Color);
@@ -95,8 +95,8 @@ std::vector<Vec3> MeshOutline::Points(const Shot& shot) const
     const auto corners = CornersOfBox(shot);
     return { corners.begin(), corners.end() };
   }
-  return Kind == Of::Boundary ? SeenPoints(BoundaryOf(shot), shot.view, shot.size)
-                              : std::vector<Vec3>();
+  return IsAsked() ? SeenPoints(BoundaryOf(shot, Kind == Of::Undeformed), shot.view, shot.size)
+                   : std::vector<Vec3>();
 }
 
 Rgba MeshOutline::LineColor() const
@@ -116,7 +116,8 @@ void MeshOutline::Draw(const Shot& shot, Frame& frame) const
   }
   else
   {
-    const BoundaryLines lines = LinesOfBoundary(shot, frame.width, frame.height);
+    const BoundaryLines lines =
+      LinesOfBoundary(shot, Kind == Of::Undeformed, frame.width, frame.height);
     for (const PixelStep& step : lines.steps)
     {
       pen.Dot(step.at[0] / lines.fine, step.at[1] / lines.fine);
@@ -137,7 +138,8 @@ std::vector<std::vector<CanvasPoint>> MeshOutline::Paths(const Shot& shot, const
     }
     return paths;
   }
-  const BoundaryLines lines = LinesOfBoundary(shot, frame.width, frame.height);
+  const BoundaryLines lines =
+    LinesOfBoundary(shot, Kind == Of::Undeformed, frame.width, frame.height);
   std::vector<std::vector<CanvasPoint>> paths = PathsOf(lines.steps, kStairs);
   for (std::vector<CanvasPoint>& path : paths)
   {

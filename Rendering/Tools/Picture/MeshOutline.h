@@ -21,6 +21,7 @@ struct Shot;
 ///   against its own parts that are further away, and lines where its normal turns by 30 degrees or
 ///   more between neighbouring pixels. Hidden lines are left out. Lines are exact to half a pixel,
 ///   in pictures of more than 4 million pixels to one. Lines between unknown pixels are left out.
+/// - Undeformed: the same of the mesh before --warp; the deformed mesh hides none of it.
 class MeshOutline
 {
 public:
@@ -43,7 +44,8 @@ private:
   {
     Nothing,
     Box,
-    Boundary
+    Boundary,
+    Undeformed
   };
   Of Kind = Of::Nothing;
   double Width = 0.0;

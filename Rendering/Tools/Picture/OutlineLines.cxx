@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/OutlineLines.h"
 
+#include "Base/Command.h"
 #include "Base/Report.h"
 #include "Picture/Projection.h"
 #include "Scene/Model.h"
@@ -157,11 +158,17 @@ std::array<Vec3, 8> CornersOfBox(const Shot& shot)
   return corners;
 }
 
-Scene BoundaryOf(const Shot& shot)
+Scene BoundaryOf(const Shot& shot, bool undeformed)
 {
+  if (undeformed && shot.input.undeformed == nullptr)
+  {
+    throw UsageError("--mesh-outline=undeformed needs --warp");
+  }
+  const std::shared_ptr<HighOrderModel> model =
+    undeformed ? HighOrderModel::From(shot.input.undeformed) : shot.input.model;
   Scene scene;
-  scene.locator = shot.scene.locator;
-  scene.layers.push_back({ MakeBoundary(shot.input.model, {}) });
+  scene.locator = &model->GetLocator();
+  scene.layers.push_back({ MakeBoundary(model, {}) }); // which keeps the model
   return scene;
 }
 
@@ -183,7 +190,8 @@ std::vector<std::vector<CanvasPoint>> SeenEdgesOfBox(const Shot& shot, const Fra
   return paths;
 }
 
-BoundaryLines LinesOfBoundary(const Shot& shot, int pictureWidth, int pictureHeight)
+BoundaryLines LinesOfBoundary(
+  const Shot& shot, bool undeformed, int pictureWidth, int pictureHeight)
 {
   const std::int64_t pixels = std::int64_t{ pictureWidth } * pictureHeight;
   const int fine = 4 * pixels <= kFinePixels ? 2 : 1;
@@ -191,7 +199,7 @@ BoundaryLines LinesOfBoundary(const Shot& shot, int pictureWidth, int pictureHei
   const int height = fine * pictureHeight;
   const Camera camera(shot.view, width, height);
   ProgressLine line("outlining");
-  const Frame boundary = Trace(BoundaryOf(shot), camera, {},
+  const Frame boundary = Trace(BoundaryOf(shot, undeformed), camera, {},
     { .centres = Buffer::Verdict | Buffer::Normal | Buffer::Depth | Buffer::Position },
     std::ref(line));
   const Projection projection(shot.view, width, height);

@@ -19,8 +19,9 @@ struct Shot;
 /// The corners of the box around the mesh.
 std::array<Vec3, 8> CornersOfBox(const Shot& shot);
 
-/// A scene with the mesh's boundary only. Throws Error where there is none.
-Scene BoundaryOf(const Shot& shot);
+/// A scene with the boundary of the mesh only or, where `undeformed`, of the mesh before --warp.
+/// Throws Error where there is none, and UsageError where nothing is deformed.
+Scene BoundaryOf(const Shot& shot, bool undeformed);
 
 /// The parts of the box's edges that are not hidden by a cut-surface of the frame, to a quarter of
 /// a pixel, as points with four to a pixel.
@@ -32,5 +33,5 @@ struct BoundaryLines
   std::vector<PixelStep> steps;
   double fine; ///< number of fine pixels to one of the picture
 };
-BoundaryLines LinesOfBoundary(const Shot& shot, int width, int height);
+BoundaryLines LinesOfBoundary(const Shot& shot, bool undeformed, int width, int height);
 } // namespace pixelexact
