@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderWarp.h"
 
+#include "Conversion/Displacement.h"
 #include "Conversion/ModelSource.h"
 #include "Conversion/WarpedGrid.h"
 #include "Core/Base/Error.h"
+#include "Core/Element/WarpLimit.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
 
 vtkStandardNewMacro(vtkHighOrderWarp);
 
 vtkHighOrderWarp::vtkHighOrderWarp()
   : MeshFilter(pixelexact::MeshScope::PartByBlock)
 {
+  this->vtkHighOrderWarp::ResetReport();
 }
 
 vtkHighOrderWarp::~vtkHighOrderWarp() = default;
@@ -24,6 +30,20 @@ void vtkHighOrderWarp::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
   os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " "
      << this->Direction[2] << "\n";
+  os << indent << "FindLimit: " << this->FindLimit << "\n";
+  os << indent << "ValidScale: " << this->ValidScale << "\n";
+  os << indent << "InvertedScale: " << this->InvertedScale << "\n";
+  os << indent << "InvertedCell: " << this->InvertedCell << "\n";
+  os << indent << "ElementsWithoutLimit: " << this->ElementsWithoutLimit << "\n";
+}
+
+void vtkHighOrderWarp::ResetReport()
+{
+  this->ValidScale = 0.0;
+  this->InvertedScale = std::numeric_limits<double>::infinity();
+  this->InvertedCell = -1;
+  std::ranges::fill(this->InvertedPoint, std::numeric_limits<double>::quiet_NaN());
+  this->ElementsWithoutLimit = 0;
 }
 
 bool vtkHighOrderWarp::Make(vtkDataObject* mesh, vtkDataObject* output)
@@ -40,8 +60,24 @@ bool vtkHighOrderWarp::Make(vtkDataObject* mesh, vtkDataObject* output)
   {
     request.direction = direction;
   }
-  const WarpedGrid warped =
-    WarpGrid(vtkUnstructuredGrid::SafeDownCast(this->Input.GridOf(mesh)), request);
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Input.GridOf(mesh));
+  if (this->FindLimit)
+  {
+    const Displacement displacement = DisplacementOf(*model, grid, request);
+    const WarpLimit limit = FindWarpLimit(model->GetMesh(), displacement.terms, {},
+      [this](double done) { this->UpdateProgress(done); });
+    this->ValidScale = limit.positive;
+    this->InvertedScale = limit.inverted;
+    this->InvertedCell = limit.element < 0
+      ? -1
+      : static_cast<vtkIdType>(model->SourceCells()[static_cast<std::size_t>(limit.element)]);
+    for (int d = 0; d < 3; ++d)
+    {
+      this->InvertedPoint[d] = limit.xi[d];
+    }
+    this->ElementsWithoutLimit = static_cast<vtkIdType>(limit.leftOut.size());
+  }
+  const WarpedGrid warped = WarpGrid(grid, request);
   for (const std::string& name : warped.leftOut)
   {
     vtkWarningMacro(<< "field '" << name

@@ -15,7 +15,7 @@
  *
  * Expressions other than vec(), mapped, rational and discontinuous fields, and displacements out of
  * the plane of a 2-D mesh are errors, which name the remedy. A scale at which elements invert is no
- * error: `pixelexact info --warp-limit` finds it.
+ * error: FindLimit finds it.
  *
  * The input is a grid that carries high-order coefficients, or a plain vtkUnstructuredGrid, which
  * is converted. Composite data are deformed block by block.
@@ -65,10 +65,37 @@ public:
   vtkGetVector3Macro(Direction, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether to find, at each update, the scales up to which the deformed mesh is proven valid; off
+   * by default. ScaleFactor does not matter for it.
+   */
+  vtkSetMacro(FindLimit, bool);
+  vtkGetMacro(FindLimit, bool);
+  vtkBooleanMacro(FindLimit, bool);
+  ///@}
+
+  ///@{
+  /**
+   * After an update with FindLimit on: det J of all elements is proven positive for scales from 0
+   * to below ValidScale. At InvertedScale it is proven not to be positive in the cell InvertedCell,
+   * a number of the source file, at the reference point InvertedPoint. Where no such scale was
+   * found these are infinite, -1 and NaN. ElementsWithoutLimit counts the elements that are not
+   * proven valid without a displacement, which are left out. Without FindLimit, ValidScale is 0. Of
+   * composite data the numbers are those of the last block.
+   */
+  vtkGetMacro(ValidScale, double);
+  vtkGetMacro(InvertedScale, double);
+  vtkGetMacro(InvertedCell, vtkIdType);
+  vtkGetVector3Macro(InvertedPoint, double);
+  vtkGetMacro(ElementsWithoutLimit, vtkIdType);
+  ///@}
+
 protected:
   vtkHighOrderWarp();
   ~vtkHighOrderWarp() override;
 
+  void ResetReport() override;
   bool Make(vtkDataObject* mesh, Output* output) override;
 
 private:
@@ -78,6 +105,12 @@ private:
   std::string FieldName;
   double ScaleFactor = 1.0;
   double Direction[3] = { 0.0, 0.0, 0.0 };
+  bool FindLimit = false;
+  double ValidScale;
+  double InvertedScale;
+  vtkIdType InvertedCell;
+  double InvertedPoint[3];
+  vtkIdType ElementsWithoutLimit;
 };
 
 #endif

@@ -267,8 +267,7 @@ std::string RemedyOf(vtkUnstructuredGrid* grid)
       std::to_string(order) +
       ": take the grid as its reader gives it, give results of filters another name, leave cells "
       "whole (Threshold, ExtractCells; vtkHighOrderPack before cells are put together), and move "
-      "actors or representations, not points. vtkUnstructuredGridToHighOrderGrid (in ParaView: "
-      "PixelExact Convert) follows affine motions.";
+      "actors or representations, not points.";
   }
   return "; run vtkUnstructuredGridToHighOrderGrid again (in ParaView: PixelExact Convert).";
 }

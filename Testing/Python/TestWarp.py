@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkUnstructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkArrayCalculator
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
@@ -39,6 +41,32 @@ class Warp(unittest.TestCase):
         one = pixelexact.render(grid, "u", size=(60, 40))
         other = pixelexact.render(self.grid, "u", size=(60, 40), warp="u=0.02", warp_direction=UP)
         np.testing.assert_array_equal(one.image, other.image)
+
+    def test_limit(self):
+        # x + s u along z, of a unit cube with u = -x z: the edges x = 1 along z get the length 1 - s.
+        cube = vtkUnstructuredGrid()
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        u = vtkDoubleArray()
+        u.SetName("u")
+        corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        for z in (0.0, 1.0):
+            for x, y in corners:
+                points.InsertNextPoint(x, y, z)
+                u.InsertNextValue(-x * z)
+        cube.SetPoints(points)
+        cube.Allocate(1)
+        cube.InsertNextCell(VTK_HEXAHEDRON, 8, list(range(8)))
+        cube.GetPointData().AddArray(u)
+        limit = pixelexact.warp_limit(cube, "u", direction=UP)
+        self.assertLessEqual(limit.valid, 1.0)
+        self.assertGreaterEqual(limit.inverted, 1.0)
+        self.assertAlmostEqual(limit.valid, 1.0, delta=2e-6)
+        self.assertAlmostEqual(limit.inverted, 1.0, delta=2e-6)
+        self.assertEqual((limit.cell, limit.left_out), (0, 0))
+        self.assertAlmostEqual(limit.xi[0], 1.0, delta=1e-5)
+        away = pixelexact.warp_limit(cube, "u", direction=(0.0, 1.0, 0.0))  # a shear
+        self.assertEqual((away.inverted, away.cell), (np.inf, -1))
 
     def test_wrong_use(self):
         with self.assertRaisesRegex(pixelexact.Error, "'u' is a scalar"):

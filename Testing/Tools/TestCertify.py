@@ -48,6 +48,23 @@ class Certify(ToolTest):
         self.assertAlmostEqual(known["gradient_magnitude"]["lower"], 1.0, delta=1e-12)
         self.assertAlmostEqual(known["gradient_magnitude"]["upper"], 1.0, delta=1e-12)
 
+    def test_expressions(self):
+        truth = oracle("toroid_hex_g3_p6")
+        slope = (truth["dudx"]**2 + truth["dudy"]**2 + truth["dudz"]**2)**0.5
+        facts = self.certified(
+            case("toroid_hex_g3_p6"), "--field", "mag(grad(u))", "--field", "u^2 + x")
+        self.assertNotIn("certified", facts["fields"][0])
+        for one, values in zip(facts["expressions"], (slope, truth["u"]**2 + truth["x"]), strict=True):
+            known = one["certified"]["components"][0]
+            self.assertLessEqual(known["lower"], values.min())
+            self.assertGreaterEqual(known["upper"], values.max())
+            self.assertLess(known["upper"], values.max() + 0.2 * (values.max() - values.min()))
+        done = self.succeeds("info", case("toroid_hex_g3_p6"), "--certify", "--field", "u^2 + x")
+        self.assertIn("u^2 + x in [", done.stdout)
+        self.fails(2, "info", case("toroid_hex_g3_p6"), "--field", "u", names=["--certify"])
+        self.fails(1, "info", case("toroid_hex_g3_p6"), "--certify", "--field", "jump(u)",
+            names=["jump"])
+
     def test_the_table_rounds_outwards(self):
         name = "escher_tet_g3_p3"
         facts = self.certified(case(name))

@@ -3,12 +3,70 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Optional
+from typing import Any, NamedTuple, Optional
 
 from ._read import Warp, as_high_order
 from ._scene import Vector, source_of, three
 from ._work import Progress, run
 from .PixelExactFilters import vtkHighOrderWarp
+
+
+class WarpLimit(NamedTuple):
+    """Scales up to which a deformed mesh is proven valid."""
+
+    valid: float
+    """det J of all elements is proven positive for scales from 0 to below this."""
+    inverted: float
+    """det J is proven not to be positive at this scale; inf where no such scale was found."""
+    cell: int
+    """The number, in the file, of the cell where it is not; -1: none."""
+    xi: tuple[float, float, float]
+    """The reference point there; NaN: none."""
+    left_out: int
+    """Elements that are not proven valid without a displacement, which have no limit."""
+
+
+def _filter(
+    grid: Any, field: str, scale: float, direction: Optional[Vector], progress: Progress
+) -> vtkHighOrderWarp:
+    if not isinstance(field, str):
+        raise TypeError(f"field: the name of the displacement, not {field!r}")
+    if not math.isfinite(scale):
+        raise ValueError(f"scale: a finite number, not {scale!r}")
+    made = vtkHighOrderWarp()
+    made.SetInputData(source_of(grid, progress))
+    made.SetFieldName(field)
+    made.SetScaleFactor(scale)
+    if direction is not None:
+        vector = three(direction, "direction")
+        if not any(vector):
+            raise ValueError("direction: it must not be zero")
+        made.SetDirection(*vector)
+    return made
+
+
+def warp_limit(
+    grid: Any,
+    field: str,
+    *,
+    direction: Optional[Vector] = None,
+    progress: Progress = None,
+) -> WarpLimit:
+    """The scales up to which warp(grid, field, scale) is proven to invert no element.
+
+    grid, field, direction: as of warp. The two scales differ by at most 1e-6 of the upper one where
+    the work budget of 20,000 boxes suffices. Raises Error as warp does.
+    """
+    made = _filter(grid, field, 0.0, direction, progress)
+    made.FindLimitOn()
+    run(made, progress)
+    return WarpLimit(
+        made.GetValidScale(),
+        made.GetInvertedScale(),
+        made.GetInvertedCell(),
+        made.GetInvertedPoint(),
+        made.GetElementsWithoutLimit(),
+    )
 
 
 def warp(
@@ -28,19 +86,7 @@ def warp(
 
     Raises Error for other expressions and for discontinuous or mapped displacements.
     """
-    if not isinstance(field, str):
-        raise TypeError(f"field: the name of the displacement, not {field!r}")
-    if not math.isfinite(scale):
-        raise ValueError(f"scale: a finite number, not {scale!r}")
-    filter_ = vtkHighOrderWarp()
-    filter_.SetInputData(source_of(grid, progress))
-    filter_.SetFieldName(field)
-    filter_.SetScaleFactor(scale)
-    if direction is not None:
-        vector = three(direction, "direction")
-        if not any(vector):
-            raise ValueError("direction: it must not be zero")
-        filter_.SetDirection(*vector)
+    filter_ = _filter(grid, field, scale, direction, progress)
     run(filter_, progress)
     result = filter_.GetOutputDataObject(0)
     return result if result.IsA("vtkCompositeDataSet") else as_high_order(result)

@@ -53,6 +53,7 @@ CertifiedField CertifyField(const Mesh& mesh, const Field& field, Steps& steps)
 {
   CertifiedField facts;
   facts.name = field.name;
+  facts.isExpression = field.function != nullptr;
   const auto ask = [&](Quantity quantity, int component) {
     return RangeOf(mesh, { quantity, &field, component }, RangeEffort{}, steps.Next());
   };
@@ -64,6 +65,10 @@ CertifiedField CertifyField(const Mesh& mesh, const Field& field, Steps& steps)
   {
     facts.magnitude = ask(Quantity::Magnitude, 0);
     return facts;
+  }
+  if (facts.isExpression)
+  {
+    return facts; // its gradient is another expression
   }
   facts.gradientIsAnswerable = IsAnswerable({ Quantity::GradientMagnitude, &field });
   if (facts.gradientIsAnswerable)
@@ -148,15 +153,28 @@ std::string List(const std::vector<std::int64_t>& cells, std::int64_t count)
 }
 } // namespace
 
-CertifiedFacts Certify(const LoadedModel& input)
+CertifiedFacts Certify(const LoadedModel& input, const std::vector<std::string>& names)
 {
   const auto begin = std::chrono::steady_clock::now();
+  std::vector<const Field*> fields;
+  for (const std::string& name : names)
+  {
+    fields.push_back(&input.model->GetField(name));
+    RequireAnswer({ Quantity::Component, fields.back() });
+  }
+  for (const Field& field : input.model->Fields())
+  {
+    if (names.empty())
+    {
+      fields.push_back(&field);
+    }
+  }
   const Mesh& mesh = input.model->GetMesh();
   ProgressLine line("certifying");
   std::size_t count = 2;
-  for (const Field& field : input.model->Fields())
+  for (const Field* field : fields)
   {
-    count += StepsOf(field);
+    count += StepsOf(*field);
   }
   Steps steps(line, count);
   CertifiedFacts facts;
@@ -175,9 +193,9 @@ CertifiedFacts Certify(const LoadedModel& input)
   facts.jacobian = RangeOf(mesh, { Quantity::Jacobian }, RangeEffort{}, steps.Next());
   // Both bounds hold; where all elements are valid this one is positive.
   facts.jacobian.range.outer.lower = std::max(facts.jacobian.range.outer.lower, lower);
-  for (const Field& field : input.model->Fields())
+  for (const Field* field : fields)
   {
-    facts.fields.push_back(CertifyField(mesh, field, steps));
+    facts.fields.push_back(CertifyField(mesh, *field, steps));
   }
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return facts;
@@ -239,6 +257,13 @@ void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts)
   jacobian.update(RangeJson(facts.jacobian));
   summary["jacobian"] = std::move(jacobian);
   summary["certify_seconds"] = facts.seconds;
+  for (const CertifiedField& field : facts.fields)
+  {
+    if (field.isExpression)
+    {
+      summary["expressions"].push_back({ { "name", field.name }, { "certified", ToJson(field) } });
+    }
+  }
 }
 
 nlohmann::ordered_json ToJson(const CertifiedField& field)

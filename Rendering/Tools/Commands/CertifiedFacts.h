@@ -3,6 +3,7 @@
 
 #include "Base/Report.h"
 
+#include "Core/Element/MeshRanges.h"
 #include "Core/Element/Validity.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,6 +26,7 @@ struct CertifiedField
   std::optional<MeshRange> magnitude; ///< of vectors
   std::optional<MeshRange> gradient;  ///< magnitude of the gradient, of scalars
   bool gradientIsAnswerable = true;
+  bool isExpression = false;
 };
 
 struct CertifiedFacts
@@ -37,11 +39,13 @@ struct CertifiedFacts
   double seconds = 0.0;
 };
 
-/// Certifies every field of the model. Parallel, with progress on stderr.
-CertifiedFacts Certify(const LoadedModel& input);
+/// Certifies fields, expressions included, or with no name every field of the model that is none.
+/// Parallel, with progress on stderr. Throws Error for a name that is none, and for expressions
+/// whose ranges cannot be proven.
+CertifiedFacts Certify(const LoadedModel& input, const std::vector<std::string>& names);
 
 void AddTo(Table& table, const CertifiedFacts& facts);
-/// Adds the members "jacobian" and "certify_seconds".
+/// Adds the members "jacobian", "certify_seconds" and, where there are any, "expressions".
 void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts);
 /// Returns a field's member "certified".
 nlohmann::ordered_json ToJson(const CertifiedField& field);

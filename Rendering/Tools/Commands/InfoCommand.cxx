@@ -34,6 +34,7 @@ struct InfoOptions
 {
   InputRequest input;
   bool certify = false;
+  std::vector<std::string> certified; ///< fields and expressions; none: all fields
   std::string warpLimit; ///< the displacement of which a limit is sought; empty: none
 };
 
@@ -268,7 +269,12 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     AddTo(field, one.ranges);
     if (facts.certified)
     {
-      field["certified"] = ToJson(facts.certified->fields[fields.size()]);
+      const auto found =
+        std::ranges::find(facts.certified->fields, one.field->name, &CertifiedField::name);
+      if (found != facts.certified->fields.end())
+      {
+        field["certified"] = ToJson(*found);
+      }
     }
     fields.push_back(std::move(field));
   }
@@ -311,7 +317,7 @@ void Info(const InfoOptions& options, const CommonOptions& common)
   Facts facts = Gather(input);
   if (options.certify)
   {
-    facts.certified = Certify(input);
+    facts.certified = Certify(input, options.certified);
   }
   if (!options.warpLimit.empty())
   {
@@ -335,6 +341,8 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
   options->input.AddTo(command);
   Bind(command, "--certify", options->certify);
+  Bind(command, "--field",
+    [options](const std::string& name) { options->certified.push_back(name); });
   Bind(command, "--warp-limit", options->warpLimit);
 }
 } // namespace pixelexact

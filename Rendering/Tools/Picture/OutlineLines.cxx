@@ -12,6 +12,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
