@@ -63,11 +63,16 @@ bool vtkHighOrderWarp::Make(vtkDataObject* mesh, vtkDataObject* output)
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Input.GridOf(mesh));
   if (this->FindLimit)
   {
-    const Displacement displacement = DisplacementOf(*model, grid, request);
+    Displacement displacement = DisplacementOf(*model, grid, request);
+    const double sign = this->ScaleFactor < 0.0 ? -1.0 : 1.0;
+    for (WarpTerm& term : displacement.terms)
+    {
+      term.direction *= sign;
+    }
     const WarpLimit limit = FindWarpLimit(model->GetMesh(), displacement.terms, {},
       [this](double done) { this->UpdateProgress(done); });
-    this->ValidScale = limit.positive;
-    this->InvertedScale = limit.inverted;
+    this->ValidScale = sign * limit.positive;
+    this->InvertedScale = sign * limit.inverted;
     this->InvertedCell = limit.element < 0
       ? -1
       : static_cast<vtkIdType>(model->SourceCells()[static_cast<std::size_t>(limit.element)]);

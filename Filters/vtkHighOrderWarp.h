@@ -68,7 +68,7 @@ public:
   ///@{
   /**
    * Whether to find, at each update, the scales up to which the deformed mesh is proven valid; off
-   * by default. ScaleFactor does not matter for it.
+   * by default. Of ScaleFactor only the sign matters, which the scales have, too.
    */
   vtkSetMacro(FindLimit, bool);
   vtkGetMacro(FindLimit, bool);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * After an update with FindLimit on: det J of all elements is proven positive for scales from 0
-   * to below ValidScale. At InvertedScale it is proven not to be positive in the cell InvertedCell,
+   * After an update with FindLimit on: det J of all elements is proven positive for scales between
+   * 0 and ValidScale. At InvertedScale it is proven not to be positive in the cell InvertedCell,
    * a number of the source file, at the reference point InvertedPoint. Where no such scale was
    * found these are infinite, -1 and NaN. ElementsWithoutLimit counts the elements that are not
    * proven valid without a displacement, which are left out. Without FindLimit, ValidScale is 0. Of

@@ -151,8 +151,8 @@ void Compare(std::span<const double> here, std::span<const double> there, Contin
 
 bool Continuity::IsContinuous() const
 {
-  return largestJump <=
-    kLargestJump * (highest - lowest) + kRounding * std::max(std::abs(highest), std::abs(lowest));
+  return largestJump <= kLargestJump * (highest - lowest) +
+    kRounding * std::max({ std::abs(highest), std::abs(lowest), size });
 }
 
 std::vector<Continuity> CompareAcrossElements(const Mesh& mesh, std::span<const Field> fields)
@@ -190,6 +190,13 @@ std::vector<Continuity> CompareAcrossElements(const Mesh& mesh, std::span<const 
     tbb::parallel_for(0, elements,
       [&](int e) { EvaluateAt(mesh, fields[f], e, xiOf(e), of(values, e, components), {}); });
     const auto at = [&](std::size_t i) { return std::span(values).subspan(i * width, width); };
+    if (fields[f].mapping == Mapping::Identity)
+    {
+      for (const double c : fields[f].values.coefficients)
+      {
+        result[f].size = std::isfinite(c) ? std::max(result[f].size, std::abs(c)) : result[f].size;
+      }
+    }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       if (first[i] != i)

@@ -18,6 +18,7 @@ struct PIXELEXACTFILTERS_EXPORT Continuity
   double largestJump = 0.0;     ///< of any component
   double lowest = std::numeric_limits<double>::infinity(); ///< value of any component compared
   double highest = -std::numeric_limits<double>::infinity();
+  double size = 0.0; ///< the largest |coefficient|, of fields without a mapping
 
   /// Jumps are no larger than files in single precision explain.
   [[nodiscard]] bool IsContinuous() const;

@@ -347,6 +347,26 @@ TEST(WarpLimit, ClosedForms)
   EXPECT_NEAR(limit.xi.x, 0.3, 2e-3);
 }
 
+TEST(WarpLimit, ElementsThatDoNotMoveHaveNoLimit)
+{
+  WarpCase two;
+  two.builder.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
+  two.builder.Add(UniformSpace(Shape::Hexahedron, 1),
+    [](const LongVec3& xi) { return LongVec3{ xi[0] + 2.0L, xi[1], xi[2] }; });
+  two.values.Add(UniformSpace(Shape::Hexahedron, 2),
+    [](const LongVec3& /*xi*/, long double* v) { v[0] = v[1] = v[2] = 0.0L; });
+  two.values.Add(UniformSpace(Shape::Hexahedron, 2),
+    [](const LongVec3& xi, long double* v) { v[0] = -0.5L * xi[0] * xi[0], v[1] = v[2] = 0.0L; });
+  const Field u = two.Displacement();
+  const WarpLimit limit = FindWarpLimit(two.builder.View(), TermsOf(u));
+  EXPECT_TRUE(limit.leftOut.empty());
+  EXPECT_TRUE(limit.met);
+  EXPECT_EQ(limit.element, 1);
+  EXPECT_LE(limit.positive, 1.0);
+  EXPECT_NEAR(limit.positive, 1.0, 1e-6);
+  EXPECT_NEAR(limit.inverted, 1.0, 1e-6);
+}
+
 TEST(WarpLimit, TurnsNothingInside)
 {
   // A stretch, a shift: det J = 1 + s and 1.

@@ -5,7 +5,8 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, DATA, ToolTest, case, read_buffers, read_image, unit_cube_grid
+from tool import (CUBE, DATA, ToolTest, case, plain_grid, read_buffers, read_image,
+    unit_cube_grid)
 
 BEAM = [DATA / "mfem_beam_hex_elast_p4" / name
         for name in ("mfem_beam_hex_elast_p4.mesh", "displacement.gf")]
@@ -96,6 +97,38 @@ class Limits(WarpTest):
         self.assertAlmostEqual(limit["positive_below"], 1.0, delta=1e-6)
         self.assertAlmostEqual(limit["inverted_at"], 1.0, delta=1e-6)
         self.assertEqual((limit["element"], limit["left_out"]), (0, 0))
+
+    def test_negative_scales(self):
+        found = self.summary("info", self.cube, "--warp-limit", "p=-1", "--warp-direction", "1,0,0")
+        limit = found["warp_limit"]
+        self.assertGreaterEqual(limit["positive_below"], -1.0)
+        self.assertAlmostEqual(limit["positive_below"], -1.0, delta=1e-6)
+        self.assertAlmostEqual(limit["inverted_at"], -1.0, delta=1e-6)
+        # The numbers of the table hold, too.
+        text = self.succeeds("info", self.cube, "--warp-limit", "p=-1", "--warp-direction", "1,0,0").stdout
+        self.assertIn("between 0 and -0.99999", text)
+
+    def test_a_displacement_that_is_zero_between_elements(self):
+        """One node inside one of two hexahedra of order 2 moves; rounding at the others is no jump."""
+        grid = self.folder / "two.vtu"
+        points, cells, moved = [], [], []
+        edge = [(0, 0), (2, 0), (2, 2), (0, 2)]
+        for x in (0.0, 1.0):
+            corners = [(i, j, k) for k in (0, 2) for i, j in edge]
+            edges = [tuple((a + b) // 2 for a, b in zip(corners[s], corners[t]))
+                     for s, t in [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4),
+                                  (0, 4), (1, 5), (2, 6), (3, 7)]]
+            faces = [(0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)]
+            nodes = corners + edges + faces
+            cells.append((29, list(range(len(points), len(points) + 27))))
+            points += [(x + i / 2, j / 2, k / 2) for i, j, k in nodes]
+            moved += [0.1 if x == 1.0 and node == (2, 1, 1) else 0.0 for node in nodes]
+        grid.write_text(plain_grid(points, cells, [("p", moved)]), encoding="utf-8")
+        limit = self.summary(
+            "info", grid, "--warp-limit", "p", "--warp-direction", "-1,0,0")["warp_limit"]
+        self.assertEqual((limit["left_out"], limit["element"]), (0, 1))
+        self.assertGreater(limit["positive_below"], 0.0)
+        self.assertLess(limit["inverted_at"] - limit["positive_below"], 1e-5)
 
     def test_verdicts_of_deformed_meshes_agree(self):
         limit = self.summary("info", *BEAM, "--warp-limit", "displacement")["warp_limit"]

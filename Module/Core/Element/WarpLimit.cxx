@@ -612,7 +612,8 @@ WarpLimit FindWarpLimit(const Mesh& mesh, std::span<const WarpTerm> displacement
   tbb::parallel_for(std::size_t{ 0 }, std::isfinite(most) ? elements : 0,
     [&](std::size_t e)
     {
-      if (validity[e].validity == Validity::Valid)
+      // Elements that move as a whole do not fold.
+      if (std::isfinite(natural[e]))
       {
         pieces[e] = PiecesOf(cubicOf(e), static_cast<int>(e), most, found[e]);
       }
@@ -625,7 +626,7 @@ WarpLimit FindWarpLimit(const Mesh& mesh, std::span<const WarpTerm> displacement
   }
   for (std::size_t e = 0; e < elements; ++e)
   {
-    if (validity[e].validity != Validity::Valid || (std::isfinite(most) && pieces[e].empty()))
+    if (validity[e].validity != Validity::Valid || (std::isfinite(natural[e]) && pieces[e].empty()))
     {
       limit.leftOut.push_back(static_cast<int>(e));
     }

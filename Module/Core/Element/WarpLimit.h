@@ -36,7 +36,8 @@ struct WarpLimit
   bool met = false;       ///< the tolerance
 };
 
-/// The limits of the functions that the stored coefficients define, for scales of 0 or more. det J
+/// The limits of the functions that the stored coefficients define, for scales of 0 or more; negate
+/// the terms' directions for others. det J
 /// is a cubic in s whose coefficients are polynomials in xi; their Bernstein coefficients over a
 /// box are cubics in s, and det J is positive where all of these are. Boxes with the smallest
 /// scales are subdivided. Parallel; the result is independent of the number of threads. Throws

@@ -15,7 +15,7 @@ class WarpLimit(NamedTuple):
     """Scales up to which a deformed mesh is proven valid."""
 
     valid: float
-    """det J of all elements is proven positive for scales from 0 to below this."""
+    """det J of all elements is proven positive for scales between 0 and this."""
     inverted: float
     """det J is proven not to be positive at this scale; inf where no such scale was found."""
     cell: int
@@ -49,15 +49,16 @@ def warp_limit(
     grid: Any,
     field: str,
     *,
+    negative: bool = False,
     direction: Optional[Vector] = None,
     progress: Progress = None,
 ) -> WarpLimit:
     """The scales up to which warp(grid, field, scale) is proven to invert no element.
 
-    grid, field, direction: as of warp. The two scales differ by at most 1e-6 of the upper one where
+    grid, field, direction: as of warp. negative: of negative scales, as the results are then. The two scales differ by at most 1e-6 of the upper one where
     the work budget of 20,000 boxes suffices. Raises Error as warp does.
     """
-    made = _filter(grid, field, 0.0, direction, progress)
+    made = _filter(grid, field, -1.0 if negative else 1.0, direction, progress)
     made.FindLimitOn()
     run(made, progress)
     return WarpLimit(

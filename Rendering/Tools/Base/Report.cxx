@@ -159,6 +159,16 @@ std::string Listed(const std::vector<std::string>& texts)
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string Rounded(double number, bool upwards, int digits)
+{
+  const auto print = [digits](double v) { return fmt::format("{:.{}g}", v, digits); };
+  const std::string text = print(number);
+  const double printed = std::strtod(text.c_str(), nullptr);
+  return (upwards ? printed < number : printed > number)
+    ? print(number + (upwards ? 1e-9 : -1e-9) * std::fabs(number))
+    : text;
+}
+
 std::string Short(double number, int digits)
 {
   return std::isnan(number) ? "nan" : fmt::format("{:.{}g}", number, digits);

@@ -90,4 +90,6 @@ std::string Listed(const std::vector<std::string>& texts);
 
 /// Formats as printf's %g with `digits` digits, with NaN as "nan".
 std::string Short(double number, int digits = 6);
+/// A number with `digits` digits, rounded down or up.
+std::string Rounded(double number, bool upwards, int digits);
 } // namespace pixelexact

@@ -85,24 +85,13 @@ double RelativeExcess(const CertifiedRange& range)
   return std::max(range.GapBelow() + range.GapAbove(), 0.0) / std::max(width, 0.0);
 }
 
-/// A number with `digits` digits, rounded down or up.
-std::string Digits(double number, bool upwards, int digits)
-{
-  const auto print = [digits](double v) { return fmt::format("{:.{}g}", v, digits); };
-  const std::string text = print(number);
-  const double printed = std::strtod(text.c_str(), nullptr);
-  return (upwards ? printed < number : printed > number)
-    ? print(number + (upwards ? 1e-9 : -1e-9) * std::fabs(number))
-    : text;
-}
-
 /// `outward`: of a range that holds something, else of one that is held.
 std::string RangeText(const Interval& range, bool outward)
 {
   // Ten digits, unless the range is narrower than they show.
   const int digits = range.Width() > 1e-7 * range.Magnitude() ? 10 : 17;
   return fmt::format(
-    "[{}, {}]", Digits(range.lower, !outward, digits), Digits(range.upper, outward, digits));
+    "[{}, {}]", Rounded(range.lower, !outward, digits), Rounded(range.upper, outward, digits));
 }
 
 std::string RangeText(const MeshRange& range)

@@ -34,8 +34,8 @@ struct InfoOptions
 {
   InputRequest input;
   bool certify = false;
-  std::vector<std::string> certified; ///< fields and expressions; none: all fields
-  std::string warpLimit; ///< the displacement of which a limit is sought; empty: none
+  std::vector<std::string> certified;   ///< fields and expressions; none: all fields
+  std::optional<WarpRequest> warpLimit; ///< the displacement of which a limit is sought
 };
 
 struct FieldFacts
@@ -308,7 +308,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
 
 void Info(const InfoOptions& options, const CommonOptions& common)
 {
-  if (!options.input.warpDirection.empty() && !options.input.warp && options.warpLimit.empty())
+  if (!options.input.warpDirection.empty() && !options.input.warp && !options.warpLimit)
   {
     throw UsageError("--warp-direction has no effect without --warp or --warp-limit; leave it out");
   }
@@ -319,9 +319,10 @@ void Info(const InfoOptions& options, const CommonOptions& common)
   {
     facts.certified = Certify(input, options.certified);
   }
-  if (!options.warpLimit.empty())
+  if (options.warpLimit)
   {
-    facts.warp = FindWarpFacts(input, options.input, options.warpLimit);
+    facts.warp =
+      FindWarpFacts(input, options.input, options.warpLimit->field, options.warpLimit->scale < 0.0);
   }
   if (common.json)
   {
@@ -341,8 +342,10 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
   options->input.AddTo(command);
   Bind(command, "--certify", options->certify);
-  Bind(command, "--field",
-    [options](const std::string& name) { options->certified.push_back(name); });
-  Bind(command, "--warp-limit", options->warpLimit);
+  Bind(
+    command, "--field", [options](const std::string& name) { options->certified.push_back(name); });
+  Bind(command, "--warp-limit",
+    [options](const std::string& text)
+    { ReadWarp("--warp-limit", text, options->warpLimit.emplace()); });
 }
 } // namespace pixelexact

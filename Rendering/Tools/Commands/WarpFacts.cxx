@@ -27,14 +27,22 @@ std::string PlaceText(const Vec3& xi)
 } // namespace
 
 WarpFacts FindWarpFacts(
-  const LoadedModel& input, const InputRequest& request, const std::string& field)
+  const LoadedModel& input, const InputRequest& request, const std::string& field, bool negative)
 {
   const auto begin = std::chrono::steady_clock::now();
   const HighOrderModel& model = *input.model;
-  const Displacement displacement = DisplacementOf(model, input.grid, request.WarpBy(field, 1.0));
+  Displacement displacement = DisplacementOf(model, input.grid, request.WarpBy(field, 1.0));
+  if (negative)
+  {
+    for (WarpTerm& term : displacement.terms)
+    {
+      term.direction = -term.direction;
+    }
+  }
   ProgressLine line("finding the limit");
   WarpFacts facts;
   facts.field = field;
+  facts.sign = negative ? -1.0 : 1.0;
   facts.limit = FindWarpLimit(
     model.GetMesh(), displacement.terms, WarpEffort{}, [&line](double part) { line(part); });
   const auto cellOf = [&model](int element)
@@ -54,13 +62,14 @@ WarpFacts FindWarpFacts(
 void AddTo(Table& table, const WarpFacts& facts)
 {
   const WarpLimit& limit = facts.limit;
-  table.Row("warp limit", "{}: det J of {} proven positive for scales from 0 to below {}",
-    facts.field, limit.leftOut.empty() ? "all elements is" : "all other elements is",
-    Short(limit.positive, 12));
+  const char* const sign = facts.sign < 0.0 ? "-" : "";
+  table.Row("warp limit", "{}: det J of {} proven positive for scales between 0 and {}{}",
+    facts.field, limit.leftOut.empty() ? "all elements is" : "all other elements is", sign,
+    Rounded(limit.positive, false, 12));
   if (std::isfinite(limit.inverted))
   {
-    table.Row("", "element {} proven inverted at scale {}, at xi = {}", facts.cell,
-      Short(limit.inverted, 12), PlaceText(limit.xi));
+    table.Row("", "element {} proven inverted at scale {}{}, at xi = {}", facts.cell, sign,
+      Rounded(limit.inverted, true, 12), PlaceText(limit.xi));
   }
   else
   {
@@ -80,10 +89,11 @@ void AddTo(nlohmann::ordered_json& summary, const WarpFacts& facts)
 {
   const WarpLimit& limit = facts.limit;
   // Numbers that are not known become null.
-  summary["warp_limit"] = { { "field", facts.field }, { "positive_below", limit.positive },
-    { "inverted_at", limit.inverted }, { "element", facts.cell },
-    { "xi", { limit.xi.x, limit.xi.y, limit.xi.z } }, { "left_out", limit.leftOut.size() },
-    { "left_out_elements", facts.leftOut }, { "boxes", limit.boxes },
-    { "tolerance_met", limit.met }, { "seconds", facts.seconds } };
+  summary["warp_limit"] = { { "field", facts.field },
+    { "positive_below", facts.sign * limit.positive },
+    { "inverted_at", facts.sign * limit.inverted }, { "never_inverts", std::isinf(limit.positive) },
+    { "element", facts.cell }, { "xi", { limit.xi.x, limit.xi.y, limit.xi.z } },
+    { "left_out", limit.leftOut.size() }, { "left_out_elements", facts.leftOut },
+    { "boxes", limit.boxes }, { "tolerance_met", limit.met }, { "seconds", facts.seconds } };
 }
 } // namespace pixelexact

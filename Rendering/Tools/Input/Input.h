@@ -18,6 +18,9 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+/// Reads FIELD or FIELD=SCALE, the value of this option.
+void ReadWarp(const char* option, const std::string& text, WarpRequest& warp);
+
 /// INPUT, and which of its time steps.
 struct InputRequest
 {

@@ -23,8 +23,9 @@ int ParseStep(const std::string& text, bool mayBeAll)
   return number;
 }
 
-/// FIELD or FIELD=SCALE.
-void ReadWarp(const std::string& text, WarpRequest& warp)
+} // namespace
+
+void ReadWarp(const char* option, const std::string& text, WarpRequest& warp)
 {
   const std::size_t at = text.rfind('=');
   warp.field = text.substr(0, at);
@@ -32,10 +33,9 @@ void ReadWarp(const std::string& text, WarpRequest& warp)
     (at != std::string::npos &&
       !(ParseNumber(text.substr(at + 1), warp.scale) && std::isfinite(warp.scale))))
   {
-    Refuse("--warp", text, "FIELD or FIELD=SCALE with a finite number, such as displacement=10");
+    Refuse(option, text, "FIELD or FIELD=SCALE with a finite number, such as displacement=10");
   }
 }
-} // namespace
 
 void InputRequest::AddTo(CLI::App& command)
 {
@@ -49,7 +49,8 @@ void InputRequest::AddTo(CLI::App& command)
   Bind(command, "--time", time);
   Bind(command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; });
   Bind(command, "--mirrored-wedges", mirroredWedges);
-  Bind(command, "--warp", [this](const std::string& text) { ReadWarp(text, warp.emplace()); });
+  Bind(command, "--warp",
+    [this](const std::string& text) { ReadWarp("--warp", text, warp.emplace()); });
   Bind(command, "--warp-direction", warpDirection);
 }
 
