@@ -42,8 +42,8 @@ struct JetBounds
   /// available.
   std::optional<std::array<AffineForm, 6>> seconds;
   Vec3 reach{ 0.0 };
-  /// Bounds the errors of values and slopes as Evaluate computes them. Infinite where they are not
-  /// known.
+  /// Bounds the errors of values and slopes as Evaluate computes them, and of values that
+  /// FieldFunction::JetValue computes. Infinite where they are not known.
   double valueError = 0.0;
   double slopeError = 0.0;
 };

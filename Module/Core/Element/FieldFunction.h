@@ -70,9 +70,12 @@ public:
   /// Returns whether JetOnElement gives a jet. Functions with jumps or normals and those without a
   /// gradient have none.
   [[nodiscard]] virtual bool HasJets() const = 0;
-  /// The same with its gradient; null where there is none. `coordinateErrors`: bounds of the
-  /// distances of points from the images of their xi, in world units.
+  /// The same with its gradient, or, in its place, a scalar of which it is a strictly monotone
+  /// function (JetValue), such as v . v for |v|. Null where there is none. `coordinateErrors`:
+  /// bounds of the distances of points from the images of their xi, in world units.
   [[nodiscard]] virtual std::unique_ptr<ElementJet> JetOnElement(
     const Mesh& mesh, int element, int component, const Vec3& coordinateErrors) const = 0;
+  /// The value of JetOnElement's scalar where the component, or the norm, has this value.
+  [[nodiscard]] virtual double JetValue(int component, double value) const = 0;
 };
 } // namespace pixelexact

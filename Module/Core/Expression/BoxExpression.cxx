@@ -100,10 +100,12 @@ Interval BoxExpression::AtCorner(std::span<const BoxPolynomial> polynomials, uns
 }
 
 BoxJet::BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
+  const OuterFunctions& outer,
   std::span<const Field* const> fields, std::span<const std::int64_t> numbers, const Mesh& mesh,
   int element, const Vec3& coordinateErrors)
   : List(std::move(list))
   , Code(code)
+  , Outer(outer)
   , Leaves(List->leaves, fields, numbers, mesh, element)
   , mesh_(mesh)
   , Element(element)
@@ -133,7 +135,9 @@ JetBounds BoxJet::Over(std::span<const AffineForm> forms, std::span<const Interv
   JetBounds bounds;
   bounds.values = output(0).Range();
   bounds.isContinuous = !output(0).mayJump;
-  bounds.valueError = output(0).error;
+  const double error = output(0).error;
+  // Once for computed values, once for the values that the proof is about.
+  bounds.valueError = error + 2.0 * Outer.ErrorOver(bounds.values + Interval(-error, error));
   for (std::size_t j = 0; j < 3; ++j)
   {
     BoxValue slope(0.0);

@@ -6,6 +6,7 @@
 #include "Core/Expression/BoxLeaves.h"
 #include "Core/Expression/CompiledGraph.h"
 #include "Core/Expression/NodeList.h"
+#include "Core/Expression/OuterFunctions.h"
 
 #include <array>
 #include <cstdint>
@@ -51,7 +52,9 @@ public:
   /// The outputs of the list are the scalar, its derivatives by x, and, where they are available,
   /// its second ones, xx, xy, xz, yy, yz, zz; those of the code the first four. What is referred to
   /// must outlive it.
+  /// `outer`: the functions between the scalar and the values that a proof is about.
   BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
+    const OuterFunctions& outer,
     std::span<const Field* const> fields, std::span<const std::int64_t> numbers, const Mesh& mesh,
     int element, const Vec3& coordinateErrors);
 
@@ -70,6 +73,7 @@ private:
 
   std::shared_ptr<const NodeList> List;
   const CompiledGraph& Code;
+  const OuterFunctions& Outer;
   BoxLeaves Leaves;
   Mesh mesh_;
   int Element;

@@ -5,6 +5,7 @@
 #include "Core/Expression/BoxExpression.h"
 #include "Core/Expression/CompiledGraph.h"
 #include "Core/Expression/IntervalProgram.h"
+#include "Core/Expression/OuterFunctions.h"
 #include "Core/Expression/Translator.h"
 
 #include <tbb/collaborative_call_once.h>
@@ -98,9 +99,14 @@ public:
     {
       return nullptr;
     }
-    const Jet& jet = component == kNorm ? Jets.back() : Jets[static_cast<std::size_t>(component)];
+    const Jet& jet = JetOf(component);
     return std::make_unique<BoxJet>(
-      jet.list, *jet.code, Fields, Numbers, mesh, element, coordinateErrors);
+      jet.list, *jet.code, jet.outer, Fields, Numbers, mesh, element, coordinateErrors);
+  }
+
+  [[nodiscard]] double JetValue(int component, double value) const override
+  {
+    return HasJets() ? JetOf(component).outer.Invert(value) : value;
   }
 
 private:
@@ -137,18 +143,24 @@ private:
     }
   }
 
-  /// A scalar and its derivatives by x.
+  /// A component or the norm, as functions of a scalar, and the scalar with its derivatives by x.
   struct Jet
   {
+    OuterFunctions outer;
     std::shared_ptr<const NodeList> list;
     std::unique_ptr<const CompiledGraph> code;
   };
+  [[nodiscard]] const Jet& JetOf(int component) const
+  {
+    return component == kNorm ? Jets.back() : Jets[static_cast<std::size_t>(component)];
+  }
   void AddJet(int node) const
   {
-    std::vector<int> outputs{ node };
+    OuterFunctions outer(Scalars, node);
+    std::vector<int> outputs{ outer.Inner() };
     for (int d = 0; d < 3; ++d)
     {
-      outputs.push_back(Scalars.Derivative(node, d));
+      outputs.push_back(Scalars.Derivative(outer.Inner(), d));
     }
     auto code = std::make_unique<const CompiledGraph>(Scalars, outputs, Fields, Numbers, Places);
     std::vector<int> withSeconds = outputs;
@@ -160,7 +172,8 @@ private:
     {
       throw Unsupported("derivatives of H(curl), H(div) and density fields are not bounded");
     }
-    Jets.push_back({ std::make_shared<const NodeList>(Scalars, outputs), std::move(code) });
+    Jets.push_back(
+      { std::move(outer), std::make_shared<const NodeList>(Scalars, outputs), std::move(code) });
   }
   /// Adds second derivatives; false where there are none.
   bool AddSeconds(std::vector<int>& outputs) const

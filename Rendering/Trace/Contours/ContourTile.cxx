@@ -285,7 +285,7 @@ std::optional<double> ContourTile::HeldBy(const Surface& surface, const Contoure
 
 void ContourTile::Classify(const ContouredLayer& layer, EdgeWork& work)
 {
-  LayerSight sight(Tile, layer.number);
+  LayerSight sight(Tile, layer.number, *layer.bounds);
   const Surface& surface = sight.GetSurface();
   if (layer.bounds->IsUnknown())
   {
@@ -294,8 +294,9 @@ void ContourTile::Classify(const ContouredLayer& layer, EdgeWork& work)
   }
   if (!surface.HasSagitta())
   {
+    const EdgeClassifier classifier(*layer.bounds, layer.values, nullptr);
     const Interval& range = layer.bounds->Values();
-    if (ValueSet{ layer.values }.Meets(range.lower, range.upper))
+    if (classifier.Meets(range.lower, range.upper))
     {
       LeaveOpen(layer.number);
     }
@@ -306,7 +307,8 @@ void ContourTile::Classify(const ContouredLayer& layer, EdgeWork& work)
     EdgeClassifier classifier(*layer.bounds, layer.values, &work);
     if (const std::optional<double> held = HeldBy(surface, layer))
     {
-      if (!classifier.Meets(*held, *held))
+      const double value = layer.bounds->ToBounded(*held);
+      if (!classifier.Meets(value, value))
       {
         Counted.byBlocks += std::ranges::count(Asked, 1);
         return;

@@ -33,6 +33,16 @@ bool Meet(const Box3& a, const Box3& b)
     glm::all(glm::lessThanEqual(b.lower, a.upper));
 }
 
+/// The values of the scalar that the bounds are of, in ascending order.
+std::vector<double> Bounded(const LayerBounds& bounds, std::span<const double> values)
+{
+  std::vector<double> bounded;
+  std::ranges::transform(values, std::back_inserter(bounded),
+    [&bounds](double value) { return bounds.ToBounded(value); });
+  std::ranges::sort(bounded);
+  return bounded;
+}
+
 WideOutline RegionOf(const SurfaceEdge& edge)
 {
   const Outline outline(edge.from, edge.to);
@@ -53,7 +63,7 @@ double SlackOf(std::span<const Vec3> corners)
 EdgeClassifier::EdgeClassifier(const LayerBounds& bounds, std::span<const double> values,
   EdgeWork* work, std::span<const int> elements)
   : Bounds(bounds)
-  , Wanted{ values }
+  , IsoValues(Bounded(bounds, values))
   , Work(work)
 {
   for (const int element : elements)
@@ -71,7 +81,7 @@ EdgeClassifier::EdgeClassifier(const LayerBounds& bounds, std::span<const double
 EdgeClassifier::EdgeClassifier(
   const LayerBounds& bounds, std::span<const double> values, EdgeWork* work)
   : Bounds(bounds)
-  , Wanted{ values }
+  , IsoValues(Bounded(bounds, values))
   , Work(work)
   , Needed(true)
   , LooksForElements(true)

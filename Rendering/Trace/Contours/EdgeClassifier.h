@@ -59,12 +59,16 @@ enum class EdgeFinding : std::uint8_t
 class EdgeClassifier
 {
 public:
-  /// `values`: in ascending order. `elements`: all elements whose boxes meet the tile's part of the
+  /// `values`: of the component, in ascending order. Other functions take values of the scalar
+  /// that the bounds are of (LayerBounds::ToBounded). `elements`: all elements whose boxes meet the tile's part of the
   /// surface. `work`: budget of all calls; null: unlimited.
   EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
     std::span<const int> elements);
   /// Searches the elements near each edge.
   EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work);
+
+  EdgeClassifier(const EdgeClassifier&) = delete;
+  EdgeClassifier& operator=(const EdgeClassifier&) = delete;
 
   /// The interval between iso-values that contains a value: the number of iso-values below it.
   [[nodiscard]] int SideOf(double value) const;
@@ -154,7 +158,8 @@ private:
   [[nodiscard]] Element MakeElement(int element) const;
 
   const LayerBounds& Bounds;
-  ValueSet Wanted;
+  std::vector<double> IsoValues; ///< of the bounded scalar, in ascending order
+  ValueSet Wanted{ IsoValues };
   EdgeWork* Work;
   std::vector<Element> Near; ///< by number
   mutable std::vector<Element> Found;

@@ -200,7 +200,7 @@ bool FlatBlocks::IsOutAnyhow(const EdgeClassifier& classifier, const TileArea& b
         {
           return false;
         }
-        const double value = Centres->samples.value[Centres->At(x, y)];
+        const double value = Sight.ValueAt(Centres->samples, Centres->At(x, y));
         const int its = classifier.SideOf(value);
         lower = std::min(lower, value);
         upper = std::max(upper, value);

@@ -7,6 +7,7 @@
 #include <tbb/collaborative_call_once.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace pixelexact
@@ -54,6 +55,14 @@ const EdgeBounds& LayerBounds::Of(int element) const
       return std::make_unique<const EdgeBounds>(
         index_.GetMesh(), index_.BoundsOf(element), element, field_, Component, Rounding);
     });
+}
+
+double LayerBounds::ToBounded(double value) const
+{
+  const bool isNorm = Component < 0 && field_.values.components > 1;
+  return field_.function == nullptr
+    ? value
+    : field_.function->JetValue(isNorm ? FieldFunction::kNorm : std::max(Component, 0), value);
 }
 
 const Interval& LayerBounds::Values() const

@@ -31,10 +31,14 @@ public:
   {
     return field_.function != nullptr && !field_.function->HasJets();
   }
+  /// Bounds of the component, or of the scalar that stands for it (ToBounded).
   [[nodiscard]] const EdgeBounds& Of(int element) const;
+  /// The value of the scalar that Of and Values bound where the component has this value. For
+  /// expressions see FieldFunction::JetValue.
+  [[nodiscard]] double ToBounded(double value) const;
   [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return index_; }
-  /// Contains the values in all elements with finite values. Computed once, by all threads that
+  /// Contains the scalar's values in all elements with finite values. Computed once, by all threads that
   /// call it.
   [[nodiscard]] const Interval& Values() const;
 

@@ -18,9 +18,10 @@ constexpr double kSteepest = 64.0;
 constexpr double kBeyond = 1.0 + 1e-6;
 } // namespace
 
-LayerSight::LayerSight(TileVisit& tile, int layer)
+LayerSight::LayerSight(TileVisit& tile, int layer, const LayerBounds& bounds)
   : Tile(tile)
   , Layer(layer)
+  , Bounds(bounds)
   , surface_(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
   , plane_(dynamic_cast<const Plane*>(&surface_))
 {
@@ -80,7 +81,7 @@ EdgeEnd LayerSight::EndOf(
     end.element = static_cast<int>(samples.element[i]);
     end.point.x = samples.position[i];
     end.point.xi = samples.xi[i];
-    end.point.value = samples.value[i];
+    end.point.value = ValueAt(samples, i);
     if (!samples.piece.empty())
     {
       end.piece = samples.piece[i];

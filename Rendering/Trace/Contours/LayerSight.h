@@ -41,7 +41,8 @@ inline EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const 
 class LayerSight
 {
 public:
-  LayerSight(TileVisit& tile, int layer);
+  /// `bounds`: of the layer's field.
+  LayerSight(TileVisit& tile, int layer, const LayerBounds& bounds);
 
   [[nodiscard]] const Surface& GetSurface() const { return surface_; }
   /// The surface as a plane; null if it is none.
@@ -51,6 +52,11 @@ public:
   {
     return samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
       samples.layer[i] == Layer;
+  }
+  /// A sample's value as that of the scalar that the layer's bounds are of.
+  [[nodiscard]] double ValueAt(const SampleBuffers& samples, std::size_t i) const
+  {
+    return Bounds.ToBounded(samples.value[i]);
   }
   /// Reads a sample with kEdgeSampleBuffers and, if the surface has pieces, Buffer::Piece.
   [[nodiscard]] EdgeEnd EndOf(
@@ -83,6 +89,7 @@ private:
 
   TileVisit& Tile;
   int Layer;
+  const LayerBounds& Bounds;
   const Surface& surface_;
   const Plane* plane_; ///< the surface, if it is one
   bool IsParallel;
