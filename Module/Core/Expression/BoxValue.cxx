@@ -136,6 +136,96 @@ BoxValue::BoxValue(const AffineForm& itsForm, const KnownInterval& interval)
 
 namespace
 {
+/// Covers the rounding of a form's coefficients and radius, relative to the sum of the magnitudes
+/// that they are computed from: at most 16 roundings each, and those of the bound itself.
+constexpr double kFormRounding = 0x1p-47;
+/// Larger than any underflow of a few operations.
+constexpr double kFormUnderflow = 0x1p-1060;
+
+/// An affine form with a remainder in [-r, r]. Its operations have no branches.
+struct Centred
+{
+  double a;
+  double b[3];
+  double linear; ///< |b| summed
+  double r;      ///< NaN or infinite where the form has no bound
+
+  explicit Centred(const AffineForm& form)
+    : b{ form.b[0], form.b[1], form.b[2] }
+    , linear(std::fabs(b[0]) + std::fabs(b[1]) + std::fabs(b[2]))
+  {
+    const double middle = 0.5 * (form.e.lower + form.e.upper);
+    a = form.a + middle;
+    r = std::max(form.e.upper - middle, middle - form.e.lower) +
+      kFormRounding * (middle == 0.0 ? 0.0 : std::fabs(form.a) + std::fabs(middle));
+  }
+  [[nodiscard]] double Size() const { return std::fabs(a) + linear; }
+};
+
+Centred SumOf(const Centred& f, const Centred& g, double sign)
+{
+  Centred h = f;
+  h.a += sign * g.a;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    h.b[d] += sign * g.b[d];
+  }
+  h.linear = std::fabs(h.b[0]) + std::fabs(h.b[1]) + std::fabs(h.b[2]);
+  h.r = (f.r + g.r + kFormRounding * h.Size()) * (1.0 + kFormRounding) + kFormUnderflow;
+  return h;
+}
+
+Centred ProductOf(const Centred& f, const Centred& g)
+{
+  Centred h = f;
+  double squares[3];
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    h.b[d] = f.a * g.b[d] + g.a * f.b[d];
+    squares[d] = f.b[d] * g.b[d];
+  }
+  // A square t_d^2 is in [0, 1], a product of two different ones in [-1, 1].
+  h.a = f.a * g.a + 0.5 * (squares[0] + squares[1] + squares[2]);
+  const double quadratic =
+    0.5 * (std::fabs(squares[0]) + std::fabs(squares[1]) + std::fabs(squares[2])) +
+    std::fabs(f.b[0] * g.b[1] + f.b[1] * g.b[0]) + std::fabs(f.b[0] * g.b[2] + f.b[2] * g.b[0]) +
+    std::fabs(f.b[1] * g.b[2] + f.b[2] * g.b[1]);
+  h.linear = std::fabs(h.b[0]) + std::fabs(h.b[1]) + std::fabs(h.b[2]);
+  h.r = (quadratic + f.r * g.Size() + g.r * f.Size() + f.r * g.r +
+          kFormRounding * f.Size() * g.Size()) *
+      (1.0 + kFormRounding) +
+    kFormUnderflow;
+  return h;
+}
+
+/// `known` encloses the same scalar. `propagated`: the error that the arguments' errors cause.
+BoxValue Finished(const Centred& form, const Interval& known, const BoxValue& f, const BoxValue& g,
+  double propagated)
+{
+  BoxValue value;
+  value.form.a = form.a;
+  std::copy_n(form.b, 3, value.form.b.begin());
+  value.form.e = { -form.r, form.r };
+  const double reach = (form.linear + form.r + kFormRounding * std::fabs(form.a)) *
+      (1.0 + kFormRounding) +
+    kFormUnderflow;
+  value.known.value = { std::max(known.lower, form.a - reach),
+    std::min(known.upper, form.a + reach) };
+  value.known.mayBeNaN = f.known.mayBeNaN || g.known.mayBeNaN;
+  value.error = RoundedError(propagated, kUnitRoundoff, value.known.value);
+  value.mayJump = f.mayJump || g.mayJump;
+  return value;
+}
+
+/// Whether Finished holds for a form and an interval: both are bounded, and they meet.
+bool IsBounded(const Centred& form, const Interval& known)
+{
+  const double reach = form.linear + form.r;
+  // The comparisons are written so that a NaN is not bounded.
+  return std::fabs(form.a) + reach < kInfinity && known.upper - known.lower < kInfinity &&
+    known.lower <= form.a + reach && known.upper >= form.a - reach;
+}
+
 /// `propagated`: the error that the arguments' errors cause.
 BoxValue Finished(const AffineForm& form, const Interval& interval, const BoxValue& f,
   const BoxValue& g, double propagated)
@@ -160,18 +250,30 @@ BoxValue Applied(Operation operation, std::initializer_list<BoxValue> arguments)
 
 BoxValue operator+(const BoxValue& f, const BoxValue& g)
 {
-  return Finished(f.form + g.form, SumOf(f.known.value, g.known.value), f, g, f.error + g.error);
+  const Centred form = SumOf(Centred(f.form), Centred(g.form), 1.0);
+  const Interval known = SumOf(f.known.value, g.known.value);
+  const double propagated = f.error + g.error;
+  return IsBounded(form, known) ? Finished(form, known, f, g, propagated)
+                                : Finished(f.form + g.form, known, f, g, propagated);
 }
 
 BoxValue operator-(const BoxValue& f, const BoxValue& g)
 {
-  return Finished(f.form - g.form, f.known.value - g.known.value, f, g, f.error + g.error);
+  const Centred form = SumOf(Centred(f.form), Centred(g.form), -1.0);
+  const Interval known = f.known.value - g.known.value;
+  const double propagated = f.error + g.error;
+  return IsBounded(form, known) ? Finished(form, known, f, g, propagated)
+                                : Finished(f.form - g.form, known, f, g, propagated);
 }
 
 BoxValue operator*(const BoxValue& f, const BoxValue& g)
 {
-  return Finished(f.form * g.form, ProductOf(f.known.value, g.known.value), f, g,
-    f.known.value.Magnitude() * g.error + g.known.value.Magnitude() * f.error + f.error * g.error);
+  const Centred form = ProductOf(Centred(f.form), Centred(g.form));
+  const Interval known = ProductOf(f.known.value, g.known.value);
+  const double propagated =
+    f.known.value.Magnitude() * g.error + g.known.value.Magnitude() * f.error + f.error * g.error;
+  return IsBounded(form, known) ? Finished(form, known, f, g, propagated)
+                                : Finished(f.form * g.form, known, f, g, propagated);
 }
 
 BoxValue Square(const BoxValue& f)
