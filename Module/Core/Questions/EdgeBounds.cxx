@@ -3,6 +3,7 @@
 
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/EdgeMeeting.h"
+#include "Core/Questions/LocalCurves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,39 @@ EdgeRange EdgeBounds::AlongSmaller(const EdgeNode& node, const EdgeRange& found,
   return range;
 }
 
+double EdgeBounds::CurvedAlong(const EdgeNode& node, const LocatedPoint& a, const double (&s)[3],
+  const std::array<double, 3>& shift) const
+{
+  const double curved = Quadratic(node.curve, s) / 8.0;
+  if (!Functions.HasJet() || !node.slopes)
+  {
+    return curved;
+  }
+  LocalCurves local(node, a.xi);
+  // Reach takes the mean of a Taylor remainder, a third of the largest change.
+  local.Reach({ 3.0 * (s[0] + 2.0 * shift[0]), 3.0 * (s[1] + 2.0 * shift[1]),
+    3.0 * (s[2] + 2.0 * shift[2]) });
+  const auto largest = [&s](const double(&form)[6], const double(&beside)[6])
+  {
+    double all[6];
+    for (std::size_t p = 0; p < 6; ++p)
+    {
+      all[p] = std::fabs(form[p]) + beside[p];
+    }
+    return Quadratic(all, s) / 8.0;
+  };
+  double bent[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    bent[k] = largest(local.bend[k], local.bends[k]);
+  }
+  Solve(node.solution, bent);
+  const double own = largest(local.curve, local.curves) + node.slope[0] * bent[0] +
+    node.slope[1] * bent[1] + node.slope[2] * bent[2];
+  // The comparison is written so that a NaN keeps the known bound.
+  return own < curved ? own * kUp : curved;
+}
+
 std::optional<EdgeRange> EdgeBounds::AlongIn(
   const EdgeNode& node, const LocatedPoint& a, const LocatedPoint& b, double sagitta) const
 {
@@ -159,7 +193,7 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
     std::fabs(a.xi.z - b.xi.z) };
   double off[3];
   double beside[3];
-  EdgeRange range{ .deviation = Quadratic(node.curve, s) / 8.0, .error = error };
+  EdgeRange range{ .deviation = CurvedAlong(node, a, s, shift), .error = error };
   double outside = 0.0; // what the path may do beside the element
   bool mayLeave = false;
   for (std::size_t k = 0; k < 3; ++k)
@@ -200,20 +234,20 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
   range.deviation = (range.deviation + range.loose + error) * kUp;
   if (Functions.HasJet())
   {
-    range.loose += Quadratic(node.curve, s) / 8.0;
+    range.loose += Quadratic(node.rough, s) / 8.0;
   }
   range.error *= kUp;
   return range;
 }
 
-EdgeMeeting EdgeBounds::MeetNode(
-  const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, EdgeWork* work) const
+EdgeMeeting EdgeBounds::MeetNode(const EdgeNode& node, const WideOutline& region,
+  const ValueSet& wanted, EdgeWork* work, KeptExpansion& kept) const
 {
   if (work)
   {
-    work->Spend(kCostOfMeeting + 2 * Functions.ViewCost());
+    work->Spend(kCostOfMeeting + (kept.jet ? 0 : 2 * Functions.ViewCost()));
   }
-  return Meet(Functions, node, region, wanted);
+  return Meet(Functions, node, region, wanted, nullptr, &kept);
 }
 
 std::optional<Interval> EdgeBounds::ValuesIn(
@@ -223,12 +257,14 @@ std::optional<Interval> EdgeBounds::ValuesIn(
   {
     return Interval::Everything();
   }
-  return Frame.Misses(Functions, region) ? std::nullopt
-                                         : ValuesIn(Tree.Whole(), region, wanted, effort);
+  KeptExpansion kept;
+  return Frame.Misses(Functions, region)
+    ? std::nullopt
+    : ValuesIn(Tree.Whole(), region, wanted, effort, kept);
 }
 
 std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOutline& region,
-  const ValueSet& wanted, const EdgeEffort& effort) const
+  const ValueSet& wanted, const EdgeEffort& effort, KeptExpansion& kept) const
 {
   const auto meets = [&wanted](const std::optional<Interval>& values)
   { return values && wanted.Meets(values->lower, values->upper); };
@@ -244,7 +280,7 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
   bool divide = !node.straight;
   if (node.regular && meets(values))
   {
-    const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
+    const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work, kept);
     values = meeting.values;
     divide = divide || (meeting.bends && node.subdivisions < effort.whereMapBends) ||
       (meeting.curves && node.subdivisions < effort.whereFieldCurves);
@@ -256,7 +292,7 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
   values.reset();
   for (const EdgeNode& half : Tree.Split(node))
   {
-    const std::optional<Interval> own = ValuesIn(half, region, wanted, effort);
+    const std::optional<Interval> own = ValuesIn(half, region, wanted, effort, kept);
     values = values && own ? Join(*values, *own) : (own ? own : values);
     if (meets(values))
     {
@@ -273,6 +309,7 @@ bool EdgeBounds::MayTake(
   {
     return true;
   }
+  KeptExpansion kept;
   // Works as ValuesIn, but tests a node's own values first, because that costs least.
   const auto mayTake = [&](const auto& self, const EdgeNode& node) -> bool
   {
@@ -287,7 +324,7 @@ bool EdgeBounds::MayTake(
     bool divide = !node.straight;
     if (node.regular)
     {
-      const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
+      const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work, kept);
       if (!meeting.values || !wanted.Meets(meeting.values->lower, meeting.values->upper))
       {
         return false;

@@ -133,7 +133,11 @@ private:
   /// None where the edge is not proven to lie in the node's margin.
   [[nodiscard]] std::optional<EdgeRange> AlongIn(
     const EdgeNode& node, const LocatedPoint& a, const LocatedPoint& b, double sagitta) const;
-  /// The same in smaller nodes than `node`, which gives the range `found`.
+  /// Bounds the deviation from a straight line by second derivatives, without the errors of points.
+  /// `s`: the edge in xi, `shift`: ShiftOf the ends.
+  [[nodiscard]] double CurvedAlong(const EdgeNode& node, const LocatedPoint& a,
+    const double (&s)[3], const std::array<double, 3>& shift) const;
+  /// The same as AlongIn in smaller nodes than `node`, which gives the range `found`.
   [[nodiscard]] EdgeRange AlongSmaller(const EdgeNode& node, const EdgeRange& found,
     const LocatedPoint& a, const LocatedPoint& b, double sagitta, EdgeWork* work,
     const ValueSet& wanted) const;
@@ -144,10 +148,10 @@ private:
   /// Bounds the error of the points' xi: |xi - xi'| with Phi(xi') = x, by direction.
   [[nodiscard]] std::array<double, 3> ShiftOf(
     const EdgeNode& node, std::span<const LocatedPoint> points) const;
-  [[nodiscard]] EdgeMeeting MeetNode(
-    const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, EdgeWork* work) const;
+  [[nodiscard]] EdgeMeeting MeetNode(const EdgeNode& node, const WideOutline& region,
+    const ValueSet& wanted, EdgeWork* work, KeptExpansion& kept) const;
   [[nodiscard]] std::optional<Interval> ValuesIn(const EdgeNode& node, const WideOutline& region,
-    const ValueSet& wanted, const EdgeEffort& effort) const;
+    const ValueSet& wanted, const EdgeEffort& effort, KeptExpansion& kept) const;
 
   EdgeFunctions Functions;
   EdgeTree Tree;

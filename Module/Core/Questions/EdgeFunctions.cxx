@@ -123,7 +123,7 @@ EdgeFunctions::EdgeFunctions(
   }
   const std::size_t pieces = std::size_t{ 1 } << (3 * Level);
   Kept = std::make_unique<PieceStore<EdgePolynomials>>(Level);
-  JetPolynomials = Jet ? std::make_unique<PieceStore<PolynomialBatch>>(Level) : nullptr;
+  JetPolynomials = Jet ? std::make_unique<PieceStore<JetBatches>>(Level) : nullptr;
   Costs = std::make_unique<MadeOnDemand<EdgePolynomials::Cost>>(pieces);
   Range = ValuesOver({});
   BoundErrors(rounding);
@@ -311,8 +311,14 @@ bool EdgeFunctions::IsFlatOver(const EtaBox& box) const
   return pixelexact::IsFlatOver(Map.space, Map.values.data(), box);
 }
 
-EdgeFunctions::Linear EdgeFunctions::LinearValues(
-  const Vec3& xi, std::span<const Vec3> places, double slopeError) const
+EdgeFunctions::ValueAndSlope EdgeFunctions::ValueAndSlopeAt(int component, const Vec3& xi) const
+{
+  const PointValues at = ValuesAt(component, std::span(&xi, 1));
+  return { at.values[0][0], at.SlopeOf(0, 0) };
+}
+
+EdgeFunctions::Linear EdgeFunctions::LinearValues(const Vec3& xi, std::span<const Vec3> places,
+  double slopeError, const ValueAndSlope* known) const
 {
   constexpr std::size_t kMax = Outline::kMaxCorners + Outline::kMaxCuts;
   // The sums over the components: the value, its square, and its product with the sum of all, at
@@ -330,14 +336,13 @@ EdgeFunctions::Linear EdgeFunctions::LinearValues(
   }
   for (int c = 0; c < Count; ++c)
   {
-    const PointValues component = ValuesAt(c, std::span(&xi, 1));
-    const Vec3 slope = component.SlopeOf(0, 0);
+    const auto [value, slope] = known != nullptr ? *known : ValueAndSlopeAt(c, xi);
     linear.slope = slope;
     double sum = 0.0;
     for (std::size_t k = 0; k < places.size(); ++k)
     {
       const double rise = glm::dot(slope, places[k] - xi);
-      values[k] = component.values[0][0] + rise;
+      values[k] = value + rise;
       sum += values[k];
     }
     for (std::size_t k = 0; k < places.size(); ++k)
@@ -346,7 +351,7 @@ EdgeFunctions::Linear EdgeFunctions::LinearValues(
       products[k] += values[k] * sum;
     }
     square += sum * sum;
-    size += std::fabs(component.values[0][0]) + LargestOf(slope) * length;
+    size += std::fabs(value) + LargestOf(slope) * length;
   }
   // A rise is a sum of three products of differences, with about eight roundings of `size`.
   const double slack = edges::kRoundoffs * size + slopeError * length;

@@ -97,8 +97,16 @@ public:
     Interval values;
     Vec3 slope{ 0.0 }; ///< by xi, of the last component
   };
-  [[nodiscard]] Linear LinearValues(
-    const Vec3& xi, std::span<const Vec3> places, double slopeError) const;
+  /// `known`: the value and slope there, if they have been computed and there is one component.
+  struct ValueAndSlope
+  {
+    double value;
+    Vec3 slope; ///< by xi
+  };
+  [[nodiscard]] Linear LinearValues(const Vec3& xi, std::span<const Vec3> places,
+    double slopeError, const ValueAndSlope* known = nullptr) const;
+  /// The value and slope of a component at a point.
+  [[nodiscard]] ValueAndSlope ValueAndSlopeAt(int component, const Vec3& xi) const;
 
   /// Encloses all values over a box.
   [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
@@ -148,6 +156,19 @@ public:
   EdgeFunctions& operator=(const EdgeFunctions&) = delete;
 
 private:
+  /// The polynomials of a jet over a piece, in batches of similar degrees.
+  struct JetBatches
+  {
+    struct Batch
+    {
+      std::vector<std::size_t> places; ///< in the jet's list
+      PolynomialBatch polynomials;
+    };
+    std::vector<Batch> batches;
+    std::size_t count = 0; ///< of all polynomials
+
+    [[nodiscard]] std::size_t Bytes() const;
+  };
   /// The modes of the component or of a mapped field's quotient.
   struct Modes
   {
@@ -175,7 +196,7 @@ private:
   void WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const;
   [[nodiscard]] Interval ValuesOf(std::span<const Interval> components) const;
   [[nodiscard]] JetBounds JetOver(const EtaBox& box) const;
-  [[nodiscard]] std::unique_ptr<const PolynomialBatch> MakeJetBatch(
+  [[nodiscard]] std::unique_ptr<const JetBatches> MakeJetBatches(
     const PieceForm::Piece& piece) const;
   [[nodiscard]] EtaBox PartOfBox(const EtaBox& box, const PieceForm::Piece& piece) const;
   void AddJet(const JetBounds& jet, Derivatives& ranges) const;
@@ -211,7 +232,7 @@ private:
   double MapSlopeError = 0.0;
   Interval Range;
   std::unique_ptr<PieceStore<EdgePolynomials>> Kept;
-  std::unique_ptr<PieceStore<PolynomialBatch>> JetPolynomials;
+  std::unique_ptr<PieceStore<JetBatches>> JetPolynomials;
   std::unique_ptr<MadeOnDemand<EdgePolynomials::Cost>> Costs; ///< of subdivisions in a piece
 };
 } // namespace pixelexact

@@ -145,7 +145,7 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
 }
 
 EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region,
-  const ValueSet& wanted, const EdgeNodeEnd* face)
+  const ValueSet& wanted, const EdgeNodeEnd* face, KeptExpansion* kept)
 {
   const double slack = region.slack;
   const Shape shape = functions.GetShape();
@@ -169,8 +169,14 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   {
     return {};
   }
-  EdgeFunctions::View view = functions.ViewAt(MovedInto(shape, node, *start));
-  for (int step = 0; step < kMiddleSteps; ++step)
+  KeptExpansion single;
+  KeptExpansion& expansion = kept != nullptr && functions.HasJet() ? *kept : single;
+  const bool isKept = expansion.jet &&
+    std::ranges::all_of(node.wideEnds,
+      [&](const EdgeNodeEnd& end) { return end.DepthOf(expansion.view->xi) >= 0.0; });
+  EdgeFunctions::View view =
+    isKept ? *expansion.view : functions.ViewAt(MovedInto(shape, node, *start));
+  for (int step = 0; step < kMiddleSteps && !isKept; ++step)
   {
     const double reach = farthest(
       [&](const Vec3& end)
@@ -254,6 +260,11 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   {
     step += view.xi;
   }
+  if (functions.HasJet() && !isKept)
+  {
+    expansion.view = view;
+    expansion.jet = functions.ValueAndSlopeAt(0, view.xi);
+  }
   EdgeMeeting meeting;
   const auto find = [&](LocalExpansion* local)
   {
@@ -268,7 +279,8 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
       meeting = {};
       return;
     }
-    const auto [linear, slope] = functions.LinearValues(view.xi, inside.Corners(), node.slopeError);
+    const auto [linear, slope] = functions.LinearValues(
+      view.xi, inside.Corners(), node.slopeError, expansion.jet ? &*expansion.jet : nullptr);
     double curved = Quadratic(node.curve, away) / 2.0;
     if (local)
     {
@@ -281,9 +293,12 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
       loose += 2.0 * node.beside[k] * away[k];
     }
     curved += loose;
+    // Smaller nodes lower only a part of an expression's bounds.
+    const double lowered =
+      functions.HasJet() ? std::min(curved, Quadratic(node.rough, away) / 2.0 + loose) : curved;
     const bool isLoose =
-      functions.HasJet() && curved > kLooseInRegion * (linear.upper - linear.lower);
-    const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
+      functions.HasJet() && lowered > kLooseInRegion * (linear.upper - linear.lower);
+    const bool isWide = lowered > kCoarse * (linear.upper - linear.lower);
     double most = curved + 2.0 * node.valueError;
     meeting = {};
     for (std::size_t k = 0; k < 3; ++k)

@@ -53,9 +53,19 @@ struct EdgeMeeting
 [[nodiscard]] bool Misses(
   const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
 
+/// The point about which an expression was expanded in a node, for the next nodes that hold it: it
+/// is near the region, and values of expressions cost much.
+struct KeptExpansion
+{
+  std::optional<EdgeFunctions::View> view;
+  std::optional<EdgeFunctions::ValueAndSlope> jet;
+};
+
 /// Bounds the values in a regular node, from the second-order expansion about a point of it near
 /// the region. Refines only while the values meet `wanted`. `face`: an end of the node that is a
-/// face of the element, to bound the values on it alone; null: the whole node.
+/// face of the element, to bound the values on it alone; null: the whole node. `kept`: of this
+/// region and function; null: nothing is kept.
 [[nodiscard]] EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node,
-  const WideOutline& region, const ValueSet& wanted, const EdgeNodeEnd* face = nullptr);
+  const WideOutline& region, const ValueSet& wanted, const EdgeNodeEnd* face = nullptr,
+  KeptExpansion* kept = nullptr);
 } // namespace pixelexact

@@ -229,6 +229,7 @@ void EdgeNode::DescribeCurves(
     const double most = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
     second[3][p] = components.size() == 1 ? components.front().second[p] : Interval(-most, most);
   }
+  std::ranges::copy(curve, rough);
   if (derivatives.curves)
   {
     DescribeSlopes(*derivatives.curves);
@@ -286,6 +287,14 @@ void EdgeNode::DescribeSlopes(const EdgePolynomials::Curves& curves)
   if (after <= kSharper * before)
   {
     slopes = std::move(made);
+    for (std::size_t p = 0; p < 6; ++p)
+    {
+      rough[p] = slopes->curve[p].radius;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        rough[p] += slope[k] * slopes->bend[k][p].radius;
+      }
+    }
   }
 }
 } // namespace pixelexact

@@ -70,6 +70,8 @@ struct EdgeNode
   /// xi are at most this: 0 for polynomials.
   double beside[3]{};
   double curve[6]{}; ///< |F''| + slope . bend: of F along straight lines in the world
+  /// The part of `curve` that smaller nodes lower: the remainders of affine bounds, or all of it.
+  double rough[6]{};
   /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. For a norm,
   /// ranges of the norm of F''.
   std::array<std::array<Interval, 6>, 4> second;

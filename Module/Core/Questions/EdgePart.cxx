@@ -334,7 +334,8 @@ std::optional<PlanarValues> EdgeBounds::OverIn(const EdgeNode& node,
       node.beside[k] * (way[k] + seen->mostS * along[0][k] + seen->mostT * along[1][k]);
   }
   double curved = halfOf(node.curve, way) + notPolynomial;
-  PlanarValues found{ .values = widened(curved), .loose = Functions.HasJet() ? curved : 0.0 };
+  PlanarValues found{ .values = widened(curved),
+    .loose = Functions.HasJet() ? halfOf(node.rough, way) + notPolynomial : 0.0 };
   const auto isOpen = [&] { return wanted.Meets(found.values.lower, found.values.upper); };
   if (node.slopes && isOpen())
   {

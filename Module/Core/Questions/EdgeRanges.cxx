@@ -385,17 +385,27 @@ JetBounds EdgeFunctions::JetOver(const EtaBox& box) const
     {
       JetBounds own;
       JetPolynomials->With(
-        piece, [&] { return MakeJetBatch(piece); },
-        [&](const PolynomialBatch& batch)
+        piece, [&] { return MakeJetBatches(piece); },
+        [&](const JetBatches& list)
         {
-          std::vector<Interval> hulls(batch.Count());
-          std::vector<AffineBound> bounds(batch.Count());
-          batch.BoundsOver(within, hulls,
-            EdgePolynomials::PlacesIn(GetShape(), PartOfBox(box, piece), centre, batch.Degree()),
-            bounds);
-          std::vector<AffineForm> forms;
-          std::ranges::transform(bounds, std::back_inserter(forms),
-            [&reach](const AffineBound& bound) { return FormOver(bound, reach); });
+          std::vector<Interval> hulls(list.count);
+          std::vector<AffineForm> forms(list.count);
+          std::vector<Interval> some;
+          std::vector<AffineBound> bounds;
+          for (const auto& [places, polynomials] : list.batches)
+          {
+            some.resize(places.size());
+            bounds.resize(places.size());
+            polynomials.BoundsOver(within, some,
+              EdgePolynomials::PlacesIn(
+                GetShape(), PartOfBox(box, piece), centre, polynomials.Degree()),
+              bounds);
+            for (std::size_t k = 0; k < places.size(); ++k)
+            {
+              hulls[places[k]] = some[k];
+              forms[places[k]] = FormOver(bounds[k], reach);
+            }
+          }
           own = Jet->Over(forms, hulls);
           own.reach = reach;
         });
@@ -404,18 +414,52 @@ JetBounds EdgeFunctions::JetOver(const EtaBox& box) const
   return all;
 }
 
-std::unique_ptr<const PolynomialBatch> EdgeFunctions::MakeJetBatch(
+std::size_t EdgeFunctions::JetBatches::Bytes() const
+{
+  std::size_t bytes = 0;
+  for (const Batch& batch : batches)
+  {
+    bytes += batch.polynomials.Bytes();
+  }
+  return bytes;
+}
+
+/// Those of the map often have much lower degrees than those of fields, and are many.
+std::unique_ptr<const EdgeFunctions::JetBatches> EdgeFunctions::MakeJetBatches(
   const PieceForm::Piece& piece) const
 {
   const std::vector<BoxPolynomial> polynomials = Jet->Polynomials(Level, piece);
-  // The degree is at least 1 in each direction, as that of xi.
-  Degrees degree{ 1, 1, 1 };
+  const auto highest = [](const BoxPolynomial& one) { return std::ranges::max(one.degree); };
+  int most = 0;
   for (const BoxPolynomial& one : polynomials)
   {
-    std::ranges::transform(
-      degree, one.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+    most = std::max(most, highest(one));
   }
-  return std::make_unique<const PolynomialBatch>(degree, polynomials);
+  auto made = std::make_unique<JetBatches>();
+  made->count = polynomials.size();
+  for (const bool isLow : { true, false })
+  {
+    std::vector<std::size_t> places;
+    std::vector<BoxPolynomial> chosen;
+    // The degree is at least 1 in each direction, as that of xi.
+    Degrees degree{ 1, 1, 1 };
+    for (std::size_t k = 0; k < polynomials.size(); ++k)
+    {
+      const BoxPolynomial& one = polynomials[k];
+      if ((2 * highest(one) <= most + 1) == isLow)
+      {
+        places.push_back(k);
+        chosen.push_back(one);
+        std::ranges::transform(
+          degree, one.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+      }
+    }
+    if (!chosen.empty())
+    {
+      made->batches.push_back({ std::move(places), PolynomialBatch(degree, chosen) });
+    }
+  }
+  return made;
 }
 
 EtaBox EdgeFunctions::PartOfBox(const EtaBox& box, const PieceForm::Piece& piece) const
