@@ -133,9 +133,16 @@ EdgeRange EdgeBounds::AlongSmaller(const EdgeNode& node, const EdgeRange& found,
   EdgeRange range = found;
   const EdgeNode* at = &node;
   int idle = 0;
+  // Smaller nodes may exclude the values, unless they lie between the ends' or stay within the rest
+  // of the deviation.
+  const auto mayHelp = [&, least = lower, most = upper]
+  {
+    const double rest = range.deviation - range.loose;
+    return wanted.Meets(least - range.deviation, most + range.deviation) &&
+      !wanted.Meets(least - rest, most + rest);
+  };
   while (idle < kMaxIdle && range.loose > kLoose * range.deviation &&
-    range.deviation > kRough * (upper - lower) &&
-    wanted.Meets(lower - range.deviation, upper + range.deviation))
+    range.deviation > kRough * (upper - lower) && mayHelp())
   {
     at = Tree.SmallerWith(*at, etas, work);
     const std::optional<EdgeRange> smaller =

@@ -23,8 +23,6 @@ namespace
 {
 /// Smaller nodes help where the expansion's error exceeds this fraction of the distance.
 constexpr double kCoarse = 0.25;
-/// The same for expressions.
-constexpr double kLooseInRegion = 1.0;
 constexpr int kRounds = 6;
 constexpr int kLocalRounds = 2;
 /// The rounding of points on a face, in xi.
@@ -293,21 +291,30 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
       loose += 2.0 * node.beside[k] * away[k];
     }
     curved += loose;
-    // Smaller nodes lower only a part of an expression's bounds.
-    const double lowered =
-      functions.HasJet() ? std::min(curved, Quadratic(node.rough, away) / 2.0 + loose) : curved;
-    const bool isLoose =
-      functions.HasJet() && lowered > kLooseInRegion * (linear.upper - linear.lower);
-    const bool isWide = lowered > kCoarse * (linear.upper - linear.lower);
+    const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
+    // Smaller nodes lower this part of an expression's bounds.
+    const double lowered = std::min(curved, Quadratic(node.rough, away) / 2.0 + loose);
     double most = curved + 2.0 * node.valueError;
     meeting = {};
+    bool isLarger = false;
     for (std::size_t k = 0; k < 3; ++k)
     {
       most += node.slope[k] * besides[k];
-      const bool isLarger = node.reach[k] > 2.0 * away[k];
-      meeting.bends =
-        meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k] || (isLoose && isLarger);
-      meeting.curves = meeting.curves || (isWide && isLarger);
+      isLarger = isLarger || node.reach[k] > 2.0 * away[k];
+      meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
+    }
+    if (functions.HasJet())
+    {
+      // Without that part, the values may be excluded.
+      const double least = most - lowered;
+      const bool isLoose =
+        isLarger && !wanted.Meets(linear.lower - least, linear.upper + least);
+      meeting.bends = meeting.bends || isLoose;
+      meeting.curves = isLoose;
+    }
+    else
+    {
+      meeting.curves = isWide && isLarger;
     }
     most = most * kUp + kRoundoffs * (std::fabs(linear.lower) + std::fabs(linear.upper));
     meeting.values =
