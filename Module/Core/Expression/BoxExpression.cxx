@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace pixelexact
@@ -23,40 +22,6 @@ AffineForm FormOfDefined(const BoxValue& value)
   return form;
 }
 
-/// Second derivatives by xi: J^T F'' J + sum of dF / dx_m Phi_m''. Where that jumps, it is no
-/// second derivative.
-std::optional<std::array<AffineForm, 6>> SecondsByXi(const JacobianValues& map,
-  const std::array<const BoxValue*, 3>& slopes, const std::array<const BoxValue*, 6>& seconds)
-{
-  const auto mayJump = [](const BoxValue* one) { return one->mayJump; };
-  if (std::ranges::any_of(slopes, mayJump) || std::ranges::any_of(seconds, mayJump))
-  {
-    return std::nullopt;
-  }
-  std::array<AffineForm, 6> byXi;
-  for (std::size_t j = 0; j < 3; ++j)
-  {
-    for (std::size_t k = j; k < 3; ++k)
-    {
-      BoxValue sum(0.0);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        BoxValue row(0.0);
-        for (std::size_t b = 0; b < 3; ++b)
-        {
-          row = row + *seconds[kPairAt[a][b]] * map.first[3 * b + k];
-        }
-        sum = sum + row * map.first[3 * a + j] + *slopes[a] * map.second[a][kPairAt[j][k]];
-      }
-      byXi[kPairAt[j][k]] = FormOfDefined(sum);
-      if (!byXi[kPairAt[j][k]].e.IsFinite())
-      {
-        return std::nullopt;
-      }
-    }
-  }
-  return byXi;
-}
 } // namespace
 
 BoxExpression::BoxExpression(std::shared_ptr<const NodeList> list,
@@ -110,7 +75,7 @@ BoxJet::BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
   , mesh_(mesh)
   , Element(element)
 {
-  Leaves.NeedJet(coordinateErrors, HasSeconds());
+  Leaves.NeedJet(coordinateErrors);
 }
 
 std::vector<BoxPolynomial> BoxJet::Polynomials(int level, const PieceForm::Piece& piece) const
@@ -127,7 +92,7 @@ JetBounds BoxJet::Over(std::span<const AffineForm> forms, std::span<const Interv
     value.error = k < Leaves.Errors().size() ? Leaves.Errors()[k] : 0.0;
   }
   std::vector<BoxValue> leaves(List->leaves.size());
-  JacobianValues map;
+  std::array<BoxValue, 9> map;
   Leaves.Evaluate(polynomials, leaves, &map);
   std::vector<BoxValue> nodes;
   List->Compute([&](std::size_t k) { return leaves[k]; }, ApplyToBoxes, nodes);
@@ -143,15 +108,31 @@ JetBounds BoxJet::Over(std::span<const AffineForm> forms, std::span<const Interv
     BoxValue slope(0.0);
     for (std::size_t d = 0; d < 3; ++d)
     {
-      slope = slope + map.first[3 * d + j] * output(1 + d);
+      slope = slope + map[3 * d + j] * output(1 + d);
     }
     bounds.slopes[j] = FormOfDefined(slope);
     bounds.slopeError = std::max(bounds.slopeError, slope.error);
   }
-  if (HasSeconds())
+  if (!HasSeconds())
   {
-    bounds.seconds = SecondsByXi(map, { &output(1), &output(2), &output(3) },
-      { &output(4), &output(5), &output(6), &output(7), &output(8), &output(9) });
+    return bounds;
+  }
+  // Derivatives by xi are sharper than those by x, turned back. Where one may jump, there are no
+  // second ones.
+  std::array<const BoxValue*, 9> byXi{};
+  for (std::size_t k = 0; k < byXi.size(); ++k)
+  {
+    byXi[k] = &output(4 + k);
+  }
+  if (std::ranges::any_of(byXi, [](const BoxValue* one)
+        { return one->mayJump || !FormOfDefined(*one).e.IsFinite(); }))
+  {
+    return bounds;
+  }
+  bounds.seconds.emplace();
+  for (std::size_t k = 0; k < byXi.size(); ++k)
+  {
+    (k < 3 ? bounds.slopes[k] : (*bounds.seconds)[k - 3]) = FormOfDefined(*byXi[k]);
   }
   return bounds;
 }

@@ -50,8 +50,8 @@ class BoxJet final : public ElementJet
 {
 public:
   /// The outputs of the list are the scalar, its derivatives by x, and, where they are available,
-  /// its second ones, xx, xy, xz, yy, yz, zz; those of the code the first four. What is referred to
-  /// must outlive it.
+  /// those by xi, and second ones, 11, 12, 13, 22, 23, 33; those of the code the first four. What is
+  /// referred to must outlive it.
   /// `outer`: the functions between the scalar and the values that a proof is about.
   BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
     const OuterFunctions& outer,

@@ -54,12 +54,14 @@ BoxValue Scaled(const BoxValue& value, double factor)
 }
 } // namespace
 
-/// Derivatives of a component of a field by x, in the order of the operations' numbers.
-struct BoxLeaves::WorldDerivatives
+/// Derivatives of a component of a field, in the units of the modes.
+struct BoxLeaves::FieldDerivatives
 {
-  std::array<BoxValue, 3> slopes;
-  std::array<BoxValue, 6> seconds;
-  std::array<BoxValue, kThirds> thirds;
+  std::array<BoxValue, 3> slopes;                       ///< by x
+  std::array<BoxValue, 6> curvatures;                   ///< by x
+  std::array<BoxValue, 6> secondsByXi;
+  std::array<BoxValue, 9> turned;                       ///< of slope a by xi_j, at 3 a + j
+  std::array<std::array<BoxValue, 6>, 3> turnedTwice;   ///< of slope a by xi_j and xi_k
 };
 
 /// Holds intermediate results that several leaves share, in the units of the modes.
@@ -71,7 +73,7 @@ struct BoxLeaves::Products
   std::array<BoxValue, 9> inverse;              ///< d xi_j / d y_a at 3 j + a
   std::array<std::array<BoxValue, 6>, 3> bends; ///< second derivatives of the map by xi
   std::array<std::span<const BoxValue>, 3> thirdsOfMap;
-  std::vector<WorldDerivatives> fields; ///< in the order of ForEachDifferentiated
+  std::vector<FieldDerivatives> fields; ///< in the order of ForEachDifferentiated
 };
 
 BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
@@ -140,7 +142,7 @@ BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
   ForEachDifferentiated(
     [&](const NeededField& /*field*/, int /*component*/, const Places& places)
     {
-      products.fields.push_back(InWorld(products,
+      products.fields.push_back(DerivativesOf(products,
         p.subspan(static_cast<std::size_t>(places.slope), 3), seconds[k], thirds[k], places));
       ++k;
     });
@@ -162,12 +164,11 @@ void BoxLeaves::ForEachDifferentiated(const Visit& visit) const
   }
 }
 
-/// With derivatives u by xi and U by x, Phi the map, K = J^-1, and the chain rule:
+/// With derivatives u by xi and U by x, Phi the map, K = J^-1: from u_j = U_m Phi_m,j follow
 ///
-///   U_a = u_j K_ja,   bent_jk = u_jk - U_m Phi_m,jk,   U_ab = bent_jk K_ja K_kb,
-///   B_jkl = u_jkl - U_m Phi_m,jkl - V_ml Phi_m,jk - V_mk Phi_m,jl - V_mj Phi_m,kl,
-///   V_mj = U_mn Phi_n,j = bent_ij K_im,   U_abc = B_jkl K_ja K_kb K_lc.
-BoxLeaves::WorldDerivatives BoxLeaves::InWorld(const Products& products,
+///   U_a = u_j K_ja,   U_a,k = bent_jk K_ja,   bent_jk = u_jk - U_m Phi_m,jk,   U_ab = U_a,k K_kb,
+///   U_a,kl = B_jkl K_ja,   B_jkl = u_jkl - U_m Phi_m,jkl - U_m,l Phi_m,jk - U_m,k Phi_m,jl.
+BoxLeaves::FieldDerivatives BoxLeaves::DerivativesOf(const Products& products,
   std::span<const BoxValue> slopes, const std::array<BoxValue, 6>& seconds,
   std::span<const BoxValue> thirds, const Places& places)
 {
@@ -176,92 +177,68 @@ BoxLeaves::WorldDerivatives BoxLeaves::InWorld(const Products& products,
   // sum of v_j K_ja.
   const auto byX = [&K](const BoxValue& v0, const BoxValue& v1, const BoxValue& v2, std::size_t a)
   { return v0 * K(0, a) + v1 * K(1, a) + v2 * K(2, a); };
-  WorldDerivatives world;
+  FieldDerivatives result;
   for (std::size_t a = 0; a < 3; ++a)
   {
     // Uses the kernels' order of operations, so that the bound of their rounding holds.
-    world.slopes[a] = byX(slopes[0], slopes[1], slopes[2], a);
+    result.slopes[a] = byX(slopes[0], slopes[1], slopes[2], a);
   }
-  if (!places.hasSeconds)
+  result.secondsByXi = seconds;
+  if (!places.hasTurned && !places.hasCurvatures)
   {
-    return world;
+    return result;
   }
   std::array<BoxValue, 6> bent = seconds;
   for (std::size_t k = 0; k < 6; ++k)
   {
     for (std::size_t m = 0; m < 3; ++m)
     {
-      bent[k] = bent[k] - world.slopes[m] * products.bends[m][k];
+      bent[k] = bent[k] - result.slopes[m] * products.bends[m][k];
     }
   }
-  std::array<BoxValue, 9> V; // [3 m + j]
-  for (std::size_t m = 0; m < 3; ++m)
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      V[3 * m + j] = byX(bent[kPairAt[0][j]], bent[kPairAt[1][j]], bent[kPairAt[2][j]], m);
-    }
-  }
+  std::array<BoxValue, 9>& turned = result.turned;
   for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      turned[3 * a + k] = byX(bent[kPairAt[0][k]], bent[kPairAt[1][k]], bent[kPairAt[2][k]], a);
+    }
+  }
+  for (std::size_t a = 0; a < 3 && places.hasCurvatures; ++a)
   {
     for (std::size_t b = a; b < 3; ++b)
     {
-      world.seconds[kPairAt[a][b]] = byX(V[3 * a], V[3 * a + 1], V[3 * a + 2], b);
+      result.curvatures[kPairAt[a][b]] =
+        byX(turned[3 * a], turned[3 * a + 1], turned[3 * a + 2], b);
     }
   }
-  if (!places.hasThirds)
+  for (std::size_t k = 0; k < 3 && places.hasThirds; ++k)
   {
-    return world;
-  }
-  std::array<BoxValue, kThirds> B;
-  ForEachTriple(
-    [&](std::size_t j, std::size_t k, std::size_t l)
+    for (std::size_t l = k; l < 3; ++l)
     {
-      BoxValue& one = B[ThirdAt(j, k, l)];
-      one = thirds[ThirdAt(j, k, l)];
-      for (std::size_t m = 0; m < 3; ++m)
+      std::array<BoxValue, 3> B;
+      for (std::size_t j = 0; j < 3; ++j)
       {
-        const std::array<BoxValue, 6>& bend = products.bends[m];
-        one = one - world.slopes[m] * products.thirdsOfMap[m][ThirdAt(j, k, l)] -
-          (V[3 * m + l] * bend[kPairAt[j][k]] + V[3 * m + k] * bend[kPairAt[j][l]] +
-            V[3 * m + j] * bend[kPairAt[k][l]]);
+        B[j] = thirds[ThirdAt(j, k, l)];
+        for (std::size_t m = 0; m < 3; ++m)
+        {
+          const std::array<BoxValue, 6>& bend = products.bends[m];
+          B[j] = B[j] - result.slopes[m] * products.thirdsOfMap[m][ThirdAt(j, k, l)] -
+            (turned[3 * m + l] * bend[kPairAt[j][k]] + turned[3 * m + k] * bend[kPairAt[j][l]]);
+        }
       }
-    });
-  std::array<std::array<BoxValue, 6>, 3> first;  // [c][jk]
-  std::array<std::array<BoxValue, 6>, 3> second; // [j][bc]
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      for (std::size_t k = j; k < 3; ++k)
+      for (std::size_t a = 0; a < 3; ++a)
       {
-        first[c][kPairAt[j][k]] =
-          byX(B[ThirdAt(j, k, 0)], B[ThirdAt(j, k, 1)], B[ThirdAt(j, k, 2)], c);
+        result.turnedTwice[a][kPairAt[k][l]] = byX(B[0], B[1], B[2], a);
       }
     }
   }
-  for (std::size_t j = 0; j < 3; ++j)
-  {
-    for (std::size_t b = 0; b < 3; ++b)
-    {
-      for (std::size_t c = b; c < 3; ++c)
-      {
-        second[j][kPairAt[b][c]] =
-          byX(first[c][kPairAt[j][0]], first[c][kPairAt[j][1]], first[c][kPairAt[j][2]], b);
-      }
-    }
-  }
-  ForEachTriple(
-    [&](std::size_t a, std::size_t b, std::size_t c)
-    {
-      const std::size_t bc = kPairAt[b][c];
-      world.thirds[ThirdAt(a, b, c)] = byX(second[0][bc], second[1][bc], second[2][bc], a);
-    });
-  return world;
+  return result;
 }
 
 void BoxLeaves::Evaluate(
-  std::span<const BoxValue> polynomials, std::span<BoxValue> leaves, JacobianValues* jacobian) const
+  std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
+  std::array<BoxValue, 9>* jacobian) const
 {
   const Products products = ProductsOf(polynomials);
   std::ranges::transform(Leaves, leaves.begin(),
@@ -269,12 +246,8 @@ void BoxLeaves::Evaluate(
   if (jacobian != nullptr)
   {
     const double unit = UnitOfMap();
-    const auto inWorld = [unit](const BoxValue& one) { return Scaled(one, unit); };
-    std::ranges::transform(products.jacobian, jacobian->first.begin(), inWorld);
-    for (std::size_t c = 0; c < 3 && NeedsSeconds; ++c)
-    {
-      std::ranges::transform(products.bends[c], jacobian->second[c].begin(), inWorld);
-    }
+    std::ranges::transform(products.jacobian, jacobian->begin(),
+      [unit](const BoxValue& one) { return Scaled(one, unit); });
   }
 }
 
@@ -313,12 +286,20 @@ BoxValue BoxLeaves::LeafOf(
       }
       return products.determinant * Reciprocal(lengths);
     }
+    case Operation::CoordinateByXi:
+    {
+      const auto b = static_cast<std::size_t>(leaf.b);
+      return Scaled(leaf.c < 0 ? J[3 * a + b]
+                               : products.bends[a][kPairAt[b][static_cast<std::size_t>(leaf.c)]],
+        unit);
+    }
     case Operation::Value:
       return FieldValue(leaf, p, products);
     case Operation::Slope:
     case Operation::Curvature:
-    case Operation::Third:
-      return FieldDerivative(leaf, products);
+    case Operation::ValueByXi:
+    case Operation::SlopeByXi:
+      return FieldDerivative(leaf, p, products);
     default:
       return BoxValue::Unknown();
   }
@@ -356,7 +337,8 @@ BoxValue BoxLeaves::FieldValue(
   }
 }
 
-BoxValue BoxLeaves::FieldDerivative(const Graph::Node& leaf, const Products& products) const
+BoxValue BoxLeaves::FieldDerivative(
+  const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const
 {
   const NeededField& needed = Fields[static_cast<std::size_t>(leaf.field)];
   if (needed.field->mapping != Mapping::Identity)
@@ -366,20 +348,28 @@ BoxValue BoxLeaves::FieldDerivative(const Graph::Node& leaf, const Products& pro
   std::size_t place = 0;
   ForEachDifferentiated([&](const NeededField& field, int component, const Places& /*places*/)
     { place += &field < &needed || (&field == &needed && component < leaf.component) ? 1 : 0; });
-  const WorldDerivatives& world = products.fields[place];
+  const FieldDerivatives& own = products.fields[place];
   const double unit = UnitOfMap();
   const double ofField = UnitOf(*needed.modes);
   const auto a = static_cast<std::size_t>(leaf.a);
   const auto b = static_cast<std::size_t>(leaf.b);
+  const auto c = static_cast<std::size_t>(leaf.c);
   switch (leaf.operation)
   {
     case Operation::Slope:
-      return Scaled(world.slopes[a], ofField / unit);
+      return Scaled(own.slopes[a], ofField / unit);
     case Operation::Curvature:
-      return Scaled(world.seconds[kPairAt[a][b]], ofField / (unit * unit));
+      return Scaled(own.curvatures[kPairAt[a][b]], ofField / (unit * unit));
+    case Operation::ValueByXi:
+    {
+      const Places& places = needed.components[static_cast<std::size_t>(leaf.component)];
+      return Scaled(leaf.b < 0 ? p[static_cast<std::size_t>(places.slope) + a]
+                               : own.secondsByXi[kPairAt[a][b]],
+        ofField);
+    }
     default:
-      return Scaled(world.thirds[ThirdAt(a, b, static_cast<std::size_t>(leaf.c))],
-        ofField / (unit * unit * unit));
+      return Scaled(
+        leaf.c < 0 ? own.turned[3 * a + b] : own.turnedTwice[a][kPairAt[b][c]], ofField / unit);
   }
 }
 } // namespace pixelexact

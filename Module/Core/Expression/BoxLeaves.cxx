@@ -22,7 +22,8 @@ constexpr std::size_t kFactors4 = 36;
 bool IsOfFields(const Graph::Node& leaf)
 {
   return leaf.operation == Operation::Value || leaf.operation == Operation::Slope ||
-    leaf.operation == Operation::Curvature || leaf.operation == Operation::Third;
+    leaf.operation == Operation::Curvature || leaf.operation == Operation::ValueByXi ||
+    leaf.operation == Operation::SlopeByXi;
 }
 
 /// xi_direction over a part of a piece: as a function of each eta it is of degree 1.
@@ -121,6 +122,10 @@ void BoxLeaves::Need(const Graph::Node& leaf)
     case Operation::ScaledJacobian:
       NeedJacobian();
       return;
+    case Operation::CoordinateByXi:
+      NeedJacobian();
+      NeedsSeconds = NeedsSeconds || leaf.c >= 0;
+      return;
     default:
       break;
   }
@@ -141,8 +146,11 @@ void BoxLeaves::Need(const Graph::Node& leaf)
   {
     NeedJacobian();
   }
-  const bool isThird = leaf.operation == Operation::Third;
-  const bool isSecond = isThird || leaf.operation == Operation::Curvature;
+  const bool isCurvature = leaf.operation == Operation::Curvature;
+  const bool isTurned = leaf.operation == Operation::SlopeByXi;
+  const bool isThird = isTurned && leaf.c >= 0;
+  const bool isSecond =
+    isCurvature || isTurned || (leaf.operation == Operation::ValueByXi && leaf.b >= 0);
   NeedsSeconds = NeedsSeconds || isSecond;
   NeedsThirds = NeedsThirds || isThird;
   for (int c = 0; c < values.components; ++c)
@@ -156,6 +164,8 @@ void BoxLeaves::Need(const Graph::Node& leaf)
         Choose(*needed.modes, c, true, places);
         places.hasSeconds = places.hasSeconds || isSecond;
         places.hasThirds = places.hasThirds || isThird;
+        places.hasCurvatures = places.hasCurvatures || isCurvature;
+        places.hasTurned = places.hasTurned || isTurned;
       }
     }
   }
@@ -189,10 +199,9 @@ void BoxLeaves::Choose(const ScaledModes& modes, int component, bool slopes, Pla
   }
 }
 
-void BoxLeaves::NeedJet(const Vec3& coordinateErrors, bool withSeconds)
+void BoxLeaves::NeedJet(const Vec3& coordinateErrors)
 {
   NeedJacobian();
-  NeedsSeconds = NeedsSeconds || withSeconds;
   OfCoordinates = coordinateErrors;
   if (!Finite)
   {

@@ -18,14 +18,6 @@ inline constexpr auto& kPairAt = HessianFunction::kPlaces;
 /// The number of third derivatives, 111, 112, 113, 122, 123, 133, 222, 223, 233, 333.
 inline constexpr std::size_t kThirds = 10;
 
-/// The map's derivatives by xi over a box, in world units.
-struct JacobianValues
-{
-  std::array<BoxValue, 9> first; ///< row-major
-  /// 11, 12, 13, 22, 23, 33 of each coordinate; not written where no second derivatives are needed.
-  std::array<std::array<BoxValue, 6>, 3> second;
-};
-
 /// Leaves of a graph on one element, over boxes: the polynomials in eta that they depend on, and
 /// the value of each leaf from enclosures of those. Derivatives by x are computed from derivatives
 /// by xi and the inverse Jacobian.
@@ -47,11 +39,11 @@ public:
   /// `polynomials`: enclosures of Polynomials, in their order. Writes one value for each leaf, and
   /// d Phi / d xi in world units, row-major, to `jacobian` if given.
   void Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
-    JacobianValues* jacobian = nullptr) const;
+    std::array<BoxValue, 9>* jacobian = nullptr) const;
 
   /// Requests the Jacobian and bounds of rounding; Evaluate then includes the rounding errors of
   /// the kernels' values of the polynomials. `coordinateErrors`: see FieldFunction.
-  void NeedJet(const Vec3& coordinateErrors, bool withSeconds);
+  void NeedJet(const Vec3& coordinateErrors);
   /// For each polynomial, a bound of the rounding of the kernels' values.
   [[nodiscard]] std::span<const double> Errors() const { return OfKernels; }
 
@@ -64,6 +56,8 @@ private:
     int slope = -1;
     bool hasSeconds = false;   ///< second derivatives come last, in the order of the components
     bool hasThirds = false;    ///< and third ones behind them
+    bool hasCurvatures = false; ///< second derivatives by x
+    bool hasTurned = false;     ///< derivatives by xi of those by x
     double secondsError = 0.0; ///< of the kernels' second derivatives by xi
   };
   struct NeededField
@@ -73,7 +67,7 @@ private:
     std::vector<Places> components;
   };
   struct Products;
-  struct WorldDerivatives;
+  struct FieldDerivatives;
   void Need(const Graph::Node& leaf);
   void NeedJacobian();
   void Choose(const ScaledModes& modes, int component, bool slopes, Places& places);
@@ -83,10 +77,11 @@ private:
     const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
   [[nodiscard]] BoxValue FieldValue(
     const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
-  [[nodiscard]] BoxValue FieldDerivative(const Graph::Node& leaf, const Products& products) const;
+  [[nodiscard]] BoxValue FieldDerivative(
+    const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
   template <class Visit>
   void ForEachDifferentiated(const Visit& visit) const;
-  [[nodiscard]] static WorldDerivatives InWorld(const Products& products,
+  [[nodiscard]] static FieldDerivatives DerivativesOf(const Products& products,
     std::span<const BoxValue> slopes, const std::array<BoxValue, 6>& seconds,
     std::span<const BoxValue> thirds, const Places& places);
 

@@ -164,7 +164,7 @@ private:
     }
     auto code = std::make_unique<const CompiledGraph>(Scalars, outputs, Fields, Numbers, Places);
     std::vector<int> withSeconds = outputs;
-    if (AddSeconds(withSeconds) && IsBounded(withSeconds))
+    if (AddByXi(withSeconds) && IsBounded(withSeconds))
     {
       outputs = std::move(withSeconds);
     }
@@ -175,28 +175,30 @@ private:
     Jets.push_back(
       { std::move(outer), std::make_shared<const NodeList>(Scalars, outputs), std::move(code) });
   }
-  /// Adds second derivatives; false where there are none.
-  bool AddSeconds(std::vector<int>& outputs) const
+  /// Adds first and second derivatives by xi; false where there are none.
+  bool AddByXi(std::vector<int>& outputs) const
   {
-    Scalars.AllowThirds(true);
-    bool available = true;
     try
     {
-      for (int a = 0; a < 3; ++a)
+      std::array<int, 3> slopes{};
+      for (int j = 0; j < 3; ++j)
       {
-        const int slope = outputs[1 + static_cast<std::size_t>(a)];
-        for (int b = a; b < 3; ++b)
+        slopes[static_cast<std::size_t>(j)] = Scalars.DerivativeByXi(outputs.front(), j);
+      }
+      std::ranges::copy(slopes, std::back_inserter(outputs));
+      for (int j = 0; j < 3; ++j)
+      {
+        for (int k = j; k < 3; ++k)
         {
-          outputs.push_back(Scalars.Derivative(slope, b));
+          outputs.push_back(Scalars.DerivativeByXi(slopes[static_cast<std::size_t>(j)], k));
         }
       }
     }
     catch (const Unsupported&)
     {
-      available = false;
+      return false;
     }
-    Scalars.AllowThirds(false);
-    return available;
+    return true;
   }
   /// Whether BoxLeaves supports all leaves of the nodes.
   [[nodiscard]] bool IsBounded(const std::vector<int>& nodes) const
@@ -206,7 +208,8 @@ private:
       [this](const Graph::Node& leaf)
       {
         const bool isDerivative = leaf.operation == Operation::Slope ||
-          leaf.operation == Operation::Curvature || leaf.operation == Operation::Third;
+          leaf.operation == Operation::Curvature || leaf.operation == Operation::ValueByXi ||
+          leaf.operation == Operation::SlopeByXi;
         return leaf.operation == Operation::Normal || leaf.operation == Operation::Behind ||
           (isDerivative &&
             Fields[static_cast<std::size_t>(leaf.field)]->mapping != Mapping::Identity);

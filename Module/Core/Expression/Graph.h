@@ -25,7 +25,10 @@ enum class Operation : std::uint8_t
   Value,     ///< component c of field f
   Slope,     ///< its derivative by x_a
   Curvature, ///< its second derivative by x_a and x_b, a <= b
-  Third,     ///< its third one by x_a, x_b and x_c, a <= b <= c; of bounds alone (BoxLeaves)
+  // Derivatives by xi, of bounds alone (BoxLeaves). Those without a second direction have -1.
+  CoordinateByXi, ///< of x_a, by xi_b and xi_c
+  ValueByXi,      ///< of component c of field f, by xi_a and xi_b
+  SlopeByXi,      ///< of its derivative by x_a, by xi_b and xi_c
   Behind, ///< node a in the element behind the face that the point is on; NaN where there is none
   Negate,
   Not,
@@ -107,8 +110,9 @@ public:
   /// differentiated away from the steps. Throws Unsupported for third derivatives of fields and for
   /// derivatives of det J, of normals, of eigenvectors and of jumps.
   int Derivative(int node, int d);
-  /// Whether third derivatives of fields become nodes of the graph.
-  void AllowThirds(bool allow) { HasThirds = allow; }
+  /// Returns d node / d xi_k in the same way. There are second ones of coordinates, fields and of
+  /// their first derivatives by x; others throw Unsupported.
+  int DerivativeByXi(int node, int k) { return Derivative(node, kByXi + k); }
 
   /// Returns `nodes` and all nodes that they are computed from, each after its arguments.
   [[nodiscard]] std::vector<int> NeededFor(std::span<const int> nodes) const;
@@ -121,11 +125,13 @@ public:
 private:
   int Insert(const Node& node);
   int Product(int a, int b);
+  /// `d`: number of x, or kByXi and the number of xi.
+  static constexpr int kByXi = 3;
   int MakeDerivative(int self, int d);
+  int DerivativeOfLeafByXi(const Node& leaf, int k);
   int OfFunction(const Node& node, int self);
   int OfEigenvalue(const Node& node, int d);
 
-  bool HasThirds = false;
   std::vector<Node> Nodes;
   std::map<Node, int> Known;
   std::map<std::array<int, 2>, int> Derivatives;

@@ -26,9 +26,59 @@ int Graph::Derivative(int node, int d)
   return derivative;
 }
 
+int Graph::DerivativeOfLeafByXi(const Node& leaf, int k)
+{
+  // Adds a direction to a leaf with the first direction or with none.
+  const auto with = [&](Operation operation, int Node::*first, int Node::*second)
+  {
+    Node node = leaf;
+    node.operation = operation;
+    if (leaf.operation != operation)
+    {
+      node.*first = k;
+      node.*second = -1;
+    }
+    else if (leaf.*second >= 0)
+    {
+      throw Unsupported("third derivatives by xi are not available");
+    }
+    else
+    {
+      node.*first = std::min(leaf.*first, k);
+      node.*second = std::max(leaf.*first, k);
+    }
+    return Leaf(node);
+  };
+  switch (leaf.operation)
+  {
+    case Operation::Constant:
+    case Operation::Pi:
+    case Operation::ElementNumber:
+    case Operation::Order:
+      return Constant(0.0);
+    case Operation::Reference:
+      return Constant(leaf.a == k ? 1.0 : 0.0);
+    case Operation::Coordinate:
+    case Operation::CoordinateByXi:
+      return with(Operation::CoordinateByXi, &Node::b, &Node::c);
+    case Operation::Value:
+    case Operation::ValueByXi:
+      return with(Operation::ValueByXi, &Node::a, &Node::b);
+    case Operation::Slope:
+    case Operation::SlopeByXi:
+      return with(Operation::SlopeByXi, &Node::b, &Node::c);
+    default:
+      throw Unsupported("the derivative by xi is not available");
+  }
+}
+
 int Graph::MakeDerivative(int self, int d)
 {
   const Node node = At(self); // a copy: nodes are added below
+  if (node.arguments[0] < 0 && d >= kByXi)
+  {
+    return DerivativeOfLeafByXi(node, d - kByXi);
+  }
   const auto& [a, b, c, e, f, g] = node.arguments;
   switch (node.operation)
   {
@@ -55,22 +105,11 @@ int Graph::MakeDerivative(int self, int d)
     case Operation::Normal:
       throw Unsupported("derivatives of the normal are not available");
     case Operation::Curvature:
-    {
-      if (!HasThirds)
-      {
-        throw Unsupported("third derivatives of fields are not available");
-      }
-      std::array<int, 3> by{ node.a, node.b, d };
-      std::ranges::sort(by);
-      return Leaf({ .operation = Operation::Third,
-        .field = node.field,
-        .component = node.component,
-        .a = by[0],
-        .b = by[1],
-        .c = by[2] });
-    }
-    case Operation::Third:
-      throw Unsupported("fourth derivatives of fields are not available");
+      throw Unsupported("third derivatives of fields are not available");
+    case Operation::CoordinateByXi:
+    case Operation::ValueByXi:
+    case Operation::SlopeByXi:
+      throw Unsupported("derivatives by xi have no derivatives by x");
     case Operation::Behind:
       throw Unsupported("derivatives of jumps are not available; for the jump of a derivative "
                         "write jump(grad(u))");
