@@ -65,9 +65,9 @@ Interval BoxExpression::AtCorner(std::span<const BoxPolynomial> polynomials, uns
 }
 
 BoxJet::BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
-  const OuterFunctions& outer,
-  std::span<const Field* const> fields, std::span<const std::int64_t> numbers, const Mesh& mesh,
-  int element, const Vec3& coordinateErrors)
+  const OuterFunctions& outer, std::span<const Field* const> fields,
+  std::span<const std::int64_t> numbers, const Mesh& mesh, int element,
+  const Vec3& coordinateErrors)
   : List(std::move(list))
   , Code(code)
   , Outer(outer)
@@ -124,8 +124,8 @@ JetBounds BoxJet::Over(std::span<const AffineForm> forms, std::span<const Interv
   {
     byXi[k] = &output(4 + k);
   }
-  if (std::ranges::any_of(byXi, [](const BoxValue* one)
-        { return one->mayJump || !FormOfDefined(*one).e.IsFinite(); }))
+  if (std::ranges::any_of(byXi,
+        [](const BoxValue* one) { return one->mayJump || !FormOfDefined(*one).e.IsFinite(); }))
   {
     return bounds;
   }

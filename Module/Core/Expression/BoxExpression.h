@@ -50,13 +50,13 @@ class BoxJet final : public ElementJet
 {
 public:
   /// The outputs of the list are the scalar, its derivatives by x, and, where they are available,
-  /// those by xi, and second ones, 11, 12, 13, 22, 23, 33; those of the code the first four. What is
-  /// referred to must outlive it.
-  /// `outer`: the functions between the scalar and the values that a proof is about.
+  /// those by xi, and second ones, 11, 12, 13, 22, 23, 33; those of the code the first four. What
+  /// is referred to must outlive it. `outer`: the functions between the scalar and the values that
+  /// a proof is about.
   BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
-    const OuterFunctions& outer,
-    std::span<const Field* const> fields, std::span<const std::int64_t> numbers, const Mesh& mesh,
-    int element, const Vec3& coordinateErrors);
+    const OuterFunctions& outer, std::span<const Field* const> fields,
+    std::span<const std::int64_t> numbers, const Mesh& mesh, int element,
+    const Vec3& coordinateErrors);
 
   [[nodiscard]] bool IsFinite() const override { return Leaves.IsFinite(); }
   [[nodiscard]] int Level() const override { return Leaves.Level(); }

@@ -57,11 +57,11 @@ BoxValue Scaled(const BoxValue& value, double factor)
 /// Derivatives of a component of a field, in the units of the modes.
 struct BoxLeaves::FieldDerivatives
 {
-  std::array<BoxValue, 3> slopes;                       ///< by x
-  std::array<BoxValue, 6> curvatures;                   ///< by x
+  std::array<BoxValue, 3> slopes;     ///< by x
+  std::array<BoxValue, 6> curvatures; ///< by x
   std::array<BoxValue, 6> secondsByXi;
-  std::array<BoxValue, 9> turned;                       ///< of slope a by xi_j, at 3 a + j
-  std::array<std::array<BoxValue, 6>, 3> turnedTwice;   ///< of slope a by xi_j and xi_k
+  std::array<BoxValue, 9> turned;                     ///< of slope a by xi_j, at 3 a + j
+  std::array<std::array<BoxValue, 6>, 3> turnedTwice; ///< of slope a by xi_j and xi_k
 };
 
 /// Holds intermediate results that several leaves share, in the units of the modes.
@@ -236,8 +236,7 @@ BoxLeaves::FieldDerivatives BoxLeaves::DerivativesOf(const Products& products,
   return result;
 }
 
-void BoxLeaves::Evaluate(
-  std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
+void BoxLeaves::Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
   std::array<BoxValue, 9>* jacobian) const
 {
   const Products products = ProductsOf(polynomials);
@@ -289,8 +288,8 @@ BoxValue BoxLeaves::LeafOf(
     case Operation::CoordinateByXi:
     {
       const auto b = static_cast<std::size_t>(leaf.b);
-      return Scaled(leaf.c < 0 ? J[3 * a + b]
-                               : products.bends[a][kPairAt[b][static_cast<std::size_t>(leaf.c)]],
+      return Scaled(
+        leaf.c < 0 ? J[3 * a + b] : products.bends[a][kPairAt[b][static_cast<std::size_t>(leaf.c)]],
         unit);
     }
     case Operation::Value:
@@ -363,8 +362,8 @@ BoxValue BoxLeaves::FieldDerivative(
     case Operation::ValueByXi:
     {
       const Places& places = needed.components[static_cast<std::size_t>(leaf.component)];
-      return Scaled(leaf.b < 0 ? p[static_cast<std::size_t>(places.slope) + a]
-                               : own.secondsByXi[kPairAt[a][b]],
+      return Scaled(
+        leaf.b < 0 ? p[static_cast<std::size_t>(places.slope) + a] : own.secondsByXi[kPairAt[a][b]],
         ofField);
     }
     default:

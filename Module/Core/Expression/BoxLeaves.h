@@ -54,11 +54,11 @@ private:
   {
     int value = -1;
     int slope = -1;
-    bool hasSeconds = false;   ///< second derivatives come last, in the order of the components
-    bool hasThirds = false;    ///< and third ones behind them
+    bool hasSeconds = false;    ///< second derivatives come last, in the order of the components
+    bool hasThirds = false;     ///< and third ones behind them
     bool hasCurvatures = false; ///< second derivatives by x
     bool hasTurned = false;     ///< derivatives by xi of those by x
-    double secondsError = 0.0; ///< of the kernels' second derivatives by xi
+    double secondsError = 0.0;  ///< of the kernels' second derivatives by xi
   };
   struct NeededField
   {

@@ -90,15 +90,6 @@ const BoxValue* Chosen(const Graph::Node& node, std::span<const BoxValue> a)
   }
 }
 
-double RoundedError(double propagated, double own, const Interval& result)
-{
-  // Covers the rounding of the bound itself.
-  constexpr double kAbove = 1.0 + 0x1p-40;
-  const double error = (propagated + own * (result.Magnitude() + propagated)) * kAbove + 0x1p-1060;
-  // The comparison is written so that a NaN is not a bound.
-  return error >= 0.0 ? error : kInfinity;
-}
-
 double RoundingOf(const Graph::Node& node, std::span<const BoxValue> a, const Interval& result)
 {
   constexpr double kOfFunction = 0x1p-48;

@@ -13,7 +13,14 @@ namespace pixelexact
   const Graph::Node& node, std::span<const BoxValue> arguments, const Interval& result);
 /// Adds the rounding of an operation itself, `own` relative to its result, to the propagated errors
 /// of the arguments.
-[[nodiscard]] double RoundedError(double propagated, double own, const Interval& result);
+[[nodiscard]] inline double RoundedError(double propagated, double own, const Interval& result)
+{
+  // Covers the rounding of the bound itself.
+  constexpr double kAbove = 1.0 + 0x1p-40;
+  const double error = (propagated + own * (result.Magnitude() + propagated)) * kAbove + 0x1p-1060;
+  // The comparison is written so that a NaN is not a bound.
+  return error >= 0.0 ? error : kInfinity;
+}
 
 /// Whether a node may jump in the box.
 [[nodiscard]] bool MayJump(

@@ -2,6 +2,7 @@
 #include "Core/Expression/BoxValue.h"
 
 #include "Core/Expression/BoxRounding.h"
+#include "Core/Expression/NodeList.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -175,6 +176,23 @@ Centred SumOf(const Centred& f, const Centred& g, double sign)
   return h;
 }
 
+/// A square's quadratic part is between 0 and the square of the linear one's largest value.
+Centred SquareOf(const Centred& f)
+{
+  Centred h = f;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    h.b[d] = 2.0 * f.a * f.b[d];
+  }
+  const double quadratic = 0.5 * f.linear * f.linear;
+  h.a = f.a * f.a + quadratic;
+  h.linear = std::fabs(h.b[0]) + std::fabs(h.b[1]) + std::fabs(h.b[2]);
+  h.r = (quadratic + 2.0 * f.r * f.Size() + f.r * f.r + kFormRounding * f.Size() * f.Size()) *
+      (1.0 + kFormRounding) +
+    kFormUnderflow;
+  return h;
+}
+
 Centred ProductOf(const Centred& f, const Centred& g)
 {
   Centred h = f;
@@ -206,8 +224,8 @@ BoxValue Finished(const Centred& form, const Interval& known, const BoxValue& f,
   value.form.a = form.a;
   std::copy_n(form.b, 3, value.form.b.begin());
   value.form.e = { -form.r, form.r };
-  const double reach = (form.linear + form.r + kFormRounding * std::fabs(form.a)) *
-      (1.0 + kFormRounding) +
+  const double reach =
+    (form.linear + form.r + kFormRounding * std::fabs(form.a)) * (1.0 + kFormRounding) +
     kFormUnderflow;
   value.known.value = { std::max(known.lower, form.a - reach),
     std::min(known.upper, form.a + reach) };
@@ -236,13 +254,30 @@ BoxValue Finished(const AffineForm& form, const Interval& interval, const BoxVal
   return value;
 }
 
+/// Computes a node from its arguments; sums and products have faster ways below.
+BoxValue ApplyFunction(const Graph::Node& node, std::span<const BoxValue> arguments)
+{
+  std::array<KnownInterval, Graph::kMaxArguments> storage;
+  std::ranges::transform(arguments, storage.begin(), &BoxValue::known);
+  const std::span known = std::span(storage).first(arguments.size());
+  KnownInterval interval = ApplyToIntervals(node, known);
+  const std::optional<AffineForm> form = FormOf(node, arguments);
+  // A bounded form of defined arguments proves that the scalar is defined.
+  interval.mayBeNaN = interval.mayBeNaN &&
+    !(form && form->e.IsFinite() && std::ranges::none_of(known, &KnownInterval::mayBeNaN));
+  BoxValue value = form ? BoxValue(*form, interval) : BoxValue(interval);
+  value.error = RoundingOf(node, arguments, value.known.value);
+  value.mayJump = MayJump(node, arguments, value.known.value);
+  return value;
+}
+
 BoxValue Applied(Operation operation, std::initializer_list<BoxValue> arguments)
 {
   Graph::Node node{ .operation = operation };
   // The arguments have distinct numbers: a product of equal numbers is a square.
   node.arguments[0] = 0;
   node.arguments[1] = arguments.size() > 1 ? 1 : -1;
-  return ApplyToBoxes(node, { arguments.begin(), arguments.size() });
+  return ApplyFunction(node, { arguments.begin(), arguments.size() });
 }
 } // namespace
 
@@ -278,8 +313,15 @@ BoxValue operator*(const BoxValue& f, const BoxValue& g)
 
 BoxValue Square(const BoxValue& f)
 {
+  const Centred form = SquareOf(Centred(f.form));
+  const Interval known = Square(f.known.value);
+  const double most = f.known.value.Magnitude();
+  if (IsBounded(form, known))
+  {
+    return Finished(form, known, f, f, 2.0 * most * f.error + f.error * f.error);
+  }
   const Graph::Node node{ .operation = Operation::Multiply, .arguments = { 0, 0, -1, -1, -1, -1 } };
-  return ApplyToBoxes(node, std::array{ f, f });
+  return ApplyFunction(node, std::array{ f, f });
 }
 
 BoxValue Reciprocal(const BoxValue& f)
@@ -302,34 +344,21 @@ BoxValue NormOf(std::span<const BoxValue> values)
   return Sqrt(sum);
 }
 
-BoxValue ApplyToBoxes(const Graph::Node& node, std::span<const BoxValue> arguments)
+BoxValue ApplyToBoxes(const Graph::Node& node, std::span<const BoxValue> values)
 {
+  const auto argument = [&](std::size_t k) -> const BoxValue&
+  { return values[static_cast<std::size_t>(node.arguments[k])]; };
   switch (node.operation)
   {
     case Operation::Add:
-      return arguments[0] + arguments[1];
+      return argument(0) + argument(1);
     case Operation::Subtract:
-      return arguments[0] - arguments[1];
+      return argument(0) - argument(1);
     case Operation::Multiply:
-      if (node.arguments[0] != node.arguments[1])
-      {
-        return arguments[0] * arguments[1];
-      }
-      break;
+      return node.arguments[0] == node.arguments[1] ? Square(argument(0))
+                                                    : argument(0) * argument(1);
     default:
-      break;
+      return ApplyFunction(node, NodeArguments(node, values).Span());
   }
-  std::array<KnownInterval, Graph::kMaxArguments> storage;
-  std::ranges::transform(arguments, storage.begin(), &BoxValue::known);
-  const std::span known = std::span(storage).first(arguments.size());
-  KnownInterval interval = ApplyToIntervals(node, known);
-  const std::optional<AffineForm> form = FormOf(node, arguments);
-  // A bounded form of defined arguments proves that the scalar is defined.
-  interval.mayBeNaN = interval.mayBeNaN &&
-    !(form && form->e.IsFinite() && std::ranges::none_of(known, &KnownInterval::mayBeNaN));
-  BoxValue value = form ? BoxValue(*form, interval) : BoxValue(interval);
-  value.error = RoundingOf(node, arguments, value.known.value);
-  value.mayJump = MayJump(node, arguments, value.known.value);
-  return value;
 }
 } // namespace pixelexact

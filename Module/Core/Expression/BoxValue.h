@@ -54,8 +54,8 @@ BoxValue Sqrt(const BoxValue& f);
 /// The Euclidean norm.
 BoxValue NormOf(std::span<const BoxValue> values);
 
-/// Computes a node that has arguments. Functions are linearised about the middle of the argument's
-/// range, with the range of their derivative (the mean value form); where that is not bounded, and
-/// for eigenvalues, the form is the range alone.
-[[nodiscard]] BoxValue ApplyToBoxes(const Graph::Node& node, std::span<const BoxValue> arguments);
+/// Computes a node that has arguments, which are places in `values`. Functions are linearised about
+/// the middle of the argument's range, with the range of their derivative (the mean value form);
+/// where that is not bounded, and for eigenvalues, the form is the range alone.
+[[nodiscard]] BoxValue ApplyToBoxes(const Graph::Node& node, std::span<const BoxValue> values);
 } // namespace pixelexact

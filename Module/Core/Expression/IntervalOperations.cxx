@@ -201,19 +201,6 @@ Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
 }
 } // namespace
 
-Interval SumOf(const Interval& a, const Interval& b)
-{
-  const Interval sum = a + b;
-  return a.lower >= 0.0 && b.lower >= 0.0 ? Interval(std::max(sum.lower, 0.0), sum.upper) : sum;
-}
-
-Interval ProductOf(const Interval& a, const Interval& b)
-{
-  const Interval product = a * b;
-  return a.lower >= 0.0 && b.lower >= 0.0 ? Interval(std::max(product.lower, 0.0), product.upper)
-                                          : product;
-}
-
 Interval FunctionOf(Operation operation, const Interval& a)
 {
   switch (operation)

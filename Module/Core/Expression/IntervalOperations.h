@@ -4,6 +4,7 @@
 #include "Core/Expression/Graph.h"
 #include "Core/Math/Interval.h"
 
+#include <algorithm>
 #include <span>
 
 namespace pixelexact
@@ -19,8 +20,17 @@ struct KnownInterval
 
 /// a + b and a b, not below 0 where neither is negative: rounding outwards alone would leave sums
 /// of squares without a root.
-[[nodiscard]] Interval SumOf(const Interval& a, const Interval& b);
-[[nodiscard]] Interval ProductOf(const Interval& a, const Interval& b);
+[[nodiscard]] inline Interval SumOf(const Interval& a, const Interval& b)
+{
+  const Interval sum = a + b;
+  return a.lower >= 0.0 && b.lower >= 0.0 ? Interval(std::max(sum.lower, 0.0), sum.upper) : sum;
+}
+[[nodiscard]] inline Interval ProductOf(const Interval& a, const Interval& b)
+{
+  const Interval product = a * b;
+  return a.lower >= 0.0 && b.lower >= 0.0 ? Interval(std::max(product.lower, 0.0), product.upper)
+                                          : product;
+}
 
 /// Encloses the values of an operation of one argument. Arithmetic is rounded outwards. Functions
 /// of the C library (sin, exp, pow, ...) are assumed to be off by 16 units in the last place at

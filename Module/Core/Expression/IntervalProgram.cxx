@@ -112,7 +112,11 @@ void IntervalProgram::Enclose(const Mesh& mesh, int element, const LanePoints& x
       const Interval leaf = LeafAt(List.leaves[k], element, x, i, bounds);
       return { leaf, !leaf.IsFinite() };
     };
-    List.Compute(leafAt, ApplyToIntervals, known);
+    List.Compute(
+      leafAt,
+      [](const Graph::Node& node, std::span<const KnownInterval> values)
+      { return ApplyToIntervals(node, NodeArguments(node, values).Span()); },
+      known);
     for (std::size_t k = 0; k < List.outputs.size(); ++k)
     {
       const KnownInterval& output = known[List.outputs[k]];

@@ -16,7 +16,8 @@ struct NodeList
   NodeList(const Graph& graph, std::span<const int> wanted);
 
   /// Computes the wanted nodes in any type: `leafAt(k)` is the value of leaf k, and
-  /// `apply(node, arguments)` that of a node. `room` keeps its memory between calls.
+  /// `apply(node, values)` that of a node, from the values of the nodes before it, in their order.
+  /// `room` keeps its memory between calls.
   template <class T, class LeafAt, class Apply>
   void Compute(const LeafAt& leafAt, const Apply& apply, std::vector<T>& room) const;
 
@@ -29,18 +30,32 @@ template <class T, class LeafAt, class Apply>
 void NodeList::Compute(const LeafAt& leafAt, const Apply& apply, std::vector<T>& room) const
 {
   room.resize(nodes.size());
-  std::array<T, Graph::kMaxArguments> arguments;
   std::size_t leaf = 0;
   for (std::size_t k = 0; k < nodes.size(); ++k)
   {
     const Graph::Node& node = nodes[k];
-    std::size_t count = 0;
-    while (count < arguments.size() && node.arguments[count] >= 0)
-    {
-      arguments[count] = room[static_cast<std::size_t>(node.arguments[count])];
-      ++count;
-    }
-    room[k] = count == 0 ? leafAt(leaf++) : apply(node, std::span(arguments).first(count));
+    room[k] =
+      node.arguments[0] < 0 ? leafAt(leaf++) : apply(node, std::span<const T>(room).first(k));
   }
 }
+
+/// The arguments of a node, from values that its arguments are places of.
+template <class T>
+class NodeArguments
+{
+public:
+  NodeArguments(const Graph::Node& node, std::span<const T> values)
+  {
+    while (Count < Arguments.size() && node.arguments[Count] >= 0)
+    {
+      Arguments[Count] = values[static_cast<std::size_t>(node.arguments[Count])];
+      ++Count;
+    }
+  }
+  [[nodiscard]] std::span<const T> Span() const { return std::span(Arguments).first(Count); }
+
+private:
+  std::array<T, Graph::kMaxArguments> Arguments;
+  std::size_t Count = 0;
+};
 } // namespace pixelexact

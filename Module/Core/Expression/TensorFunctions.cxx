@@ -219,10 +219,23 @@ Tensor QCriterion(TensorAlgebra& algebra, const Tensor& v)
 {
   const Tensor gradient = GradientOfVector(algebra, v, "Q");
   Graph& graph = algebra.GetGraph();
-  const int spin = Squares(algebra, Spin(algebra, gradient));
-  const int strain = Squares(algebra, algebra.Symmetric(gradient));
-  return ScalarOf(graph.Of(
-    Operation::Multiply, graph.Constant(0.5), graph.Of(Operation::Subtract, spin, strain)));
+  // |strain|^2 - |W|^2 is the sum of g_ij g_ji. Their difference would lose digits, and most of the
+  // bounds.
+  int diagonal = graph.Constant(0.0);
+  int mixed = graph.Constant(0.0);
+  for (int i = 0; i < gradient.rows; ++i)
+  {
+    const int g = gradient.At(i, i);
+    diagonal = graph.Of(Operation::Add, diagonal, graph.Of(Operation::Multiply, g, g));
+    for (int j = 0; j < i; ++j)
+    {
+      mixed = graph.Of(
+        Operation::Add, mixed, graph.Of(Operation::Multiply, gradient.At(i, j), gradient.At(j, i)));
+    }
+  }
+  const int sum =
+    graph.Of(Operation::Add, graph.Of(Operation::Multiply, graph.Constant(0.5), diagonal), mixed);
+  return ScalarOf(graph.Of(Operation::Negate, sum));
 }
 
 Tensor Outer(TensorAlgebra& algebra, const Tensor& a, const Tensor& b)

@@ -265,9 +265,8 @@ std::optional<Interval> EdgeBounds::ValuesIn(
     return Interval::Everything();
   }
   KeptExpansion kept;
-  return Frame.Misses(Functions, region)
-    ? std::nullopt
-    : ValuesIn(Tree.Whole(), region, wanted, effort, kept);
+  return Frame.Misses(Functions, region) ? std::nullopt
+                                         : ValuesIn(Tree.Whole(), region, wanted, effort, kept);
 }
 
 std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOutline& region,

@@ -317,8 +317,8 @@ EdgeFunctions::ValueAndSlope EdgeFunctions::ValueAndSlopeAt(int component, const
   return { at.values[0][0], at.SlopeOf(0, 0) };
 }
 
-EdgeFunctions::Linear EdgeFunctions::LinearValues(const Vec3& xi, std::span<const Vec3> places,
-  double slopeError, const ValueAndSlope* known) const
+EdgeFunctions::Linear EdgeFunctions::LinearValues(
+  const Vec3& xi, std::span<const Vec3> places, double slopeError, const ValueAndSlope* known) const
 {
   constexpr std::size_t kMax = Outline::kMaxCorners + Outline::kMaxCuts;
   // The sums over the components: the value, its square, and its product with the sum of all, at

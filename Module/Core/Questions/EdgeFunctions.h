@@ -103,8 +103,8 @@ public:
     double value;
     Vec3 slope; ///< by xi
   };
-  [[nodiscard]] Linear LinearValues(const Vec3& xi, std::span<const Vec3> places,
-    double slopeError, const ValueAndSlope* known = nullptr) const;
+  [[nodiscard]] Linear LinearValues(const Vec3& xi, std::span<const Vec3> places, double slopeError,
+    const ValueAndSlope* known = nullptr) const;
   /// The value and slope of a component at a point.
   [[nodiscard]] ValueAndSlope ValueAndSlopeAt(int component, const Vec3& xi) const;
 

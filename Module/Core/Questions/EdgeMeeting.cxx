@@ -307,8 +307,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     {
       // Without that part, the values may be excluded.
       const double least = most - lowered;
-      const bool isLoose =
-        isLarger && !wanted.Meets(linear.lower - least, linear.upper + least);
+      const bool isLoose = isLarger && !wanted.Meets(linear.lower - least, linear.upper + least);
       meeting.bends = meeting.bends || isLoose;
       meeting.curves = isLoose;
     }
