@@ -6,6 +6,7 @@
 #include "Core/Math/Vec.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -65,8 +66,16 @@ public:
   /// `forms` and `hulls` enclose them, in their order, the forms as functions of d / reach.
   [[nodiscard]] virtual JetBounds Over(
     std::span<const AffineForm> forms, std::span<const Interval> hulls) const = 0;
-  /// The operations of one call of Over.
-  [[nodiscard]] virtual std::size_t Operations() const = 0;
+  /// An estimate of the work of bounds over a box: the polynomials' coefficients times their
+  /// numbers along a direction, summed, and the operations of one call of Over.
+  struct Work
+  {
+    std::int64_t terms = 0;
+    std::int64_t operations = 0;
+  };
+  [[nodiscard]] virtual Work WorkOf(int level) const = 0;
+  /// The operations of Evaluate at a point, about.
+  [[nodiscard]] virtual std::int64_t PointOperations() const = 0;
 
   /// Values and derivatives by x in world units at points of the element.
   virtual void Evaluate(

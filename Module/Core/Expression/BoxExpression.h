@@ -64,7 +64,15 @@ public:
     int level, const PieceForm::Piece& piece) const override;
   [[nodiscard]] JetBounds Over(
     std::span<const AffineForm> forms, std::span<const Interval> hulls) const override;
-  [[nodiscard]] std::size_t Operations() const override { return List->nodes.size(); }
+  [[nodiscard]] Work WorkOf(int level) const override
+  {
+    const auto [terms, operations] = Leaves.WorkOf(level);
+    return { terms, operations + static_cast<std::int64_t>(List->nodes.size()) };
+  }
+  [[nodiscard]] std::int64_t PointOperations() const override
+  {
+    return static_cast<std::int64_t>(List->nodes.size());
+  }
   void Evaluate(
     std::span<const Vec3> xi, std::span<double> values, std::span<Vec3> gradients) const override;
 

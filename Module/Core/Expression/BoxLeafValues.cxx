@@ -149,21 +149,6 @@ BoxLeaves::Products BoxLeaves::ProductsOf(std::span<const BoxValue> p) const
   return products;
 }
 
-template <class Visit>
-void BoxLeaves::ForEachDifferentiated(const Visit& visit) const
-{
-  for (const NeededField& needed : Fields)
-  {
-    for (std::size_t c = 0; c < needed.components.size(); ++c)
-    {
-      if (needed.components[c].slope >= 0)
-      {
-        visit(needed, static_cast<int>(c), needed.components[c]);
-      }
-    }
-  }
-}
-
 /// With derivatives u by xi and U by x, Phi the map, K = J^-1: from u_j = U_m Phi_m,j follow
 ///
 ///   U_a = u_j K_ja,   U_a,k = bent_jk K_ja,   bent_jk = u_jk - U_m Phi_m,jk,   U_ab = U_a,k K_kb,

@@ -226,6 +226,38 @@ void BoxLeaves::NeedJet(const Vec3& coordinateErrors)
   }
 }
 
+BoxLeaves::Work BoxLeaves::WorkOf(int level) const
+{
+  // Sums and products of Evaluate.
+  constexpr std::int64_t kOfInverse = 60;
+  constexpr std::int64_t kOfBends = 36;
+  constexpr std::int64_t kOfSlopes = 15;
+  constexpr std::int64_t kOfTurned = 80;
+  constexpr std::int64_t kOfCurvatures = 30;
+  constexpr std::int64_t kOfThirds = 520;
+  const auto termsOf = [level](const ScaledModes& modes, std::int64_t count)
+  {
+    const PieceForm& form = PieceForm::Of(modes.space, level);
+    return count * static_cast<std::int64_t>(form.Size()) * (1 + std::ranges::max(form.Degree()));
+  };
+  Work work;
+  for (const RangeIngredient& ingredient : Ingredients)
+  {
+    work.terms += termsOf(*ingredient.modes, 1);
+  }
+  work.terms += termsOf(Map, (NeedsSeconds ? 18 : 0) + (NeedsThirds ? 30 : 0));
+  work.operations = (NeedsJacobian ? kOfInverse : 0) + (NeedsSeconds ? kOfBends : 0);
+  ForEachDifferentiated(
+    [&](const NeededField& needed, int /*component*/, const Places& places)
+    {
+      work.terms +=
+        termsOf(*needed.modes, (places.hasSeconds ? 6 : 0) + (places.hasThirds ? 10 : 0));
+      work.operations += kOfSlopes + (places.hasTurned || places.hasCurvatures ? kOfTurned : 0) +
+        (places.hasCurvatures ? kOfCurvatures : 0) + (places.hasThirds ? kOfThirds : 0);
+    });
+  return work;
+}
+
 std::vector<BoxPolynomial> BoxLeaves::Polynomials(
   int level, const PieceForm::Piece& piece, const Box3& within) const
 {

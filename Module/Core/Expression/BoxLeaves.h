@@ -36,6 +36,14 @@ public:
   [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
+  /// An estimate of the work of one box: the coefficients of the polynomials times their numbers
+  /// along a direction, and the operations of Evaluate.
+  struct Work
+  {
+    std::int64_t terms = 0;
+    std::int64_t operations = 0;
+  };
+  [[nodiscard]] Work WorkOf(int level) const;
   /// `polynomials`: enclosures of Polynomials, in their order. Writes one value for each leaf, and
   /// d Phi / d xi in world units, row-major, to `jacobian` if given.
   void Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
@@ -102,4 +110,19 @@ private:
   std::vector<double> OfKernels;
   double OfBends = 0.0; ///< second derivatives of the map
 };
+
+template <class Visit>
+void BoxLeaves::ForEachDifferentiated(const Visit& visit) const
+{
+  for (const NeededField& needed : Fields)
+  {
+    for (std::size_t c = 0; c < needed.components.size(); ++c)
+    {
+      if (needed.components[c].slope >= 0)
+      {
+        visit(needed, static_cast<int>(c), needed.components[c]);
+      }
+    }
+  }
+}
 } // namespace pixelexact

@@ -143,6 +143,30 @@ constexpr double kFormRounding = 0x1p-47;
 /// Larger than any underflow of a few operations.
 constexpr double kFormUnderflow = 0x1p-1060;
 
+// std::min and std::max branch on doubles in memory.
+double Lower(double a, double b)
+{
+  return a < b ? a : b;
+}
+double Upper(double a, double b)
+{
+  return a > b ? a : b;
+}
+
+/// ProductOf without branches. NaN where a product is not finite.
+Interval BoundedProduct(const Interval& a, const Interval& b)
+{
+  const double p = a.lower * b.lower;
+  const double q = a.lower * b.upper;
+  const double r = a.upper * b.lower;
+  const double s = a.upper * b.upper;
+  const double unbounded = 0.0 * ((p + q) + (r + s));
+  const double lower = rounding::Below(Lower(Lower(p, q), Lower(r, s))) + unbounded;
+  const double upper = rounding::Above(Upper(Upper(p, q), Upper(r, s))) + unbounded;
+  const bool isNotNegative = a.lower >= 0.0 && b.lower >= 0.0;
+  return { isNotNegative && lower < 0.0 ? 0.0 : lower, upper };
+}
+
 /// An affine form with a remainder in [-r, r]. Its operations have no branches.
 struct Centred
 {
@@ -157,7 +181,7 @@ struct Centred
   {
     const double middle = 0.5 * (form.e.lower + form.e.upper);
     a = form.a + middle;
-    r = std::max(form.e.upper - middle, middle - form.e.lower) +
+    r = Upper(form.e.upper - middle, middle - form.e.lower) +
       kFormRounding * (middle == 0.0 ? 0.0 : std::fabs(form.a) + std::fabs(middle));
   }
   [[nodiscard]] double Size() const { return std::fabs(a) + linear; }
@@ -227,8 +251,7 @@ BoxValue Finished(const Centred& form, const Interval& known, const BoxValue& f,
   const double reach =
     (form.linear + form.r + kFormRounding * std::fabs(form.a)) * (1.0 + kFormRounding) +
     kFormUnderflow;
-  value.known.value = { std::max(known.lower, form.a - reach),
-    std::min(known.upper, form.a + reach) };
+  value.known.value = { Upper(known.lower, form.a - reach), Lower(known.upper, form.a + reach) };
   value.known.mayBeNaN = f.known.mayBeNaN || g.known.mayBeNaN;
   value.error = RoundedError(propagated, kUnitRoundoff, value.known.value);
   value.mayJump = f.mayJump || g.mayJump;
@@ -304,11 +327,12 @@ BoxValue operator-(const BoxValue& f, const BoxValue& g)
 BoxValue operator*(const BoxValue& f, const BoxValue& g)
 {
   const Centred form = ProductOf(Centred(f.form), Centred(g.form));
-  const Interval known = ProductOf(f.known.value, g.known.value);
+  const Interval known = BoundedProduct(f.known.value, g.known.value);
   const double propagated =
     f.known.value.Magnitude() * g.error + g.known.value.Magnitude() * f.error + f.error * g.error;
-  return IsBounded(form, known) ? Finished(form, known, f, g, propagated)
-                                : Finished(f.form * g.form, known, f, g, propagated);
+  return IsBounded(form, known)
+    ? Finished(form, known, f, g, propagated)
+    : Finished(f.form * g.form, ProductOf(f.known.value, g.known.value), f, g, propagated);
 }
 
 BoxValue Square(const BoxValue& f)

@@ -35,9 +35,12 @@ constexpr std::int64_t kCostOfFourModes = 3;
 /// to folds.
 constexpr std::int64_t kCostOfSample = 1500;
 constexpr std::int64_t kCostOfHardSample = 250'000;
-/// The cost of an expression's operation over a box, and of one of its values.
-constexpr std::int64_t kCostOfOperation = 200;
-constexpr std::int64_t kCostOfJet = 1000;
+/// The cost of an expression over two boxes, for each operation and for each coefficient and degree
+/// of its polynomials, and at a point.
+constexpr std::int64_t kCostOfOperation = 100;
+constexpr std::int64_t kCostOfTerm = 2;
+constexpr std::int64_t kCostOfPointOperation = 12;
+constexpr std::int64_t kViewsOfJet = 50;
 /// Limits of subdivisions without cost: the largest depth of boxes, and their cost together.
 constexpr int kMaxFree = 8;
 constexpr std::int64_t kMaxFreeCost = 50'000'000;
@@ -216,7 +219,9 @@ void EdgeFunctions::ChooseLevel()
     EdgePolynomials::CostOf(PieceForm::Of(Component.space, Level).Degree());
   if (Jet)
   {
-    Cost += kCostOfOperation * static_cast<std::int64_t>(Jet->Operations());
+    const auto [terms, operations] = Jet->WorkOf(Level);
+    CostOfJet = kCostOfTerm * terms + kCostOfOperation * operations;
+    Cost += CostOfJet;
   }
   while (Free < kMaxFree && Cost << (Free + 1) <= kMaxFreeCost)
   {
@@ -225,7 +230,7 @@ void EdgeFunctions::ChooseLevel()
   CostOfView = kCostOfView + kCostOfFourModes * (coefficients(Map) + coefficients(Component)) / 4;
   if (Jet)
   {
-    CostOfView += kCostOfJet + kCostOfOperation * static_cast<std::int64_t>(Jet->Operations()) / 16;
+    CostOfView += kCostOfView * kViewsOfJet + kCostOfPointOperation * Jet->PointOperations();
   }
 }
 

@@ -216,6 +216,7 @@ private:
   int Level = 0;
   int Subdivisions[2] = {};
   std::int64_t Cost = 0;
+  std::int64_t CostOfJet = 0; ///< the part of the expression
   int Free = 0;
   std::int64_t CostOfView = 0;
   Vec3 Centre;

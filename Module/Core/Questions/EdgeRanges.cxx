@@ -183,7 +183,7 @@ std::int64_t EdgeFunctions::SubdivisionCost(const EtaBox& box) const
       largest = std::max(largest, own.ofMap);
       ofRest = std::max(ofRest, own.ofRest);
     });
-  return kCostOfNodes + std::max(largest, ofMap / kShareOfPieces) + ofRest;
+  return kCostOfNodes + std::max(largest, ofMap / kShareOfPieces) + ofRest + CostOfJet;
 }
 
 double EdgeFunctions::ErrorOf(const ScaledModes& modes, int components, Part part) const

@@ -60,8 +60,8 @@ class EdgeClassifier
 {
 public:
   /// `values`: of the component, in ascending order. Other functions take values of the scalar
-  /// that the bounds are of (LayerBounds::ToBounded). `elements`: all elements whose boxes meet the tile's part of the
-  /// surface. `work`: budget of all calls; null: unlimited.
+  /// that the bounds are of (LayerBounds::ToBounded). `elements`: all elements whose boxes meet the
+  /// tile's part of the surface. `work`: budget of all calls; null: unlimited.
   EdgeClassifier(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
     std::span<const int> elements);
   /// Searches the elements near each edge.

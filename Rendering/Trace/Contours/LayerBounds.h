@@ -38,8 +38,8 @@ public:
   [[nodiscard]] double ToBounded(double value) const;
   [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return index_; }
-  /// Contains the scalar's values in all elements with finite values. Computed once, by all threads that
-  /// call it.
+  /// Contains the scalar's values in all elements with finite values. Computed once, by all threads
+  /// that call it.
   [[nodiscard]] const Interval& Values() const;
 
   /// Count of elements whose bounds have been computed.
