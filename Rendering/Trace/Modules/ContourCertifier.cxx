@@ -18,9 +18,9 @@ namespace
 /// Parts of a frame's work budget: for the first pass over all tiles, and for one tile at most.
 constexpr double kFirstShare = 0.5;
 constexpr double kMaxOfTile = 0.1;
-/// Factor on a frame's work budget if a layer with iso-values shows an expression. Boxes and points
-/// of expressions cost many times those of fields, and more work seldom decides more pixels.
-constexpr double kShareOfExpressions = 0.125;
+/// Factor on a frame's work budget if a layer with iso-values shows an expression. Work of
+/// expressions is underestimated, by up to a factor of 2.
+constexpr double kShareOfExpressions = 0.5;
 
 std::size_t PixelsOf(const TileArea& area)
 {
