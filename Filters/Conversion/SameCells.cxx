@@ -89,7 +89,7 @@ public:
         }
         if (grid->GetPoints()->GetDataType() == VTK_FLOAT)
         {
-          roundoff = static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
+          roundoff = kFloatRoundoff;
         }
       }
     }

@@ -5,6 +5,8 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Basis/NoiseBound.h"
+#include "Core/Element/ElementUnits.h"
+#include "Core/Math/Rounding.h"
 #include "Formats/FileText.h"
 
 #include "vtkCellArray.h"
@@ -82,9 +84,7 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
       Numbers.push_back(static_cast<std::int64_t>(numbers->GetComponent(cell, 0)));
     }
   }
-  Roundoff = grid->GetPoints()->GetDataType() == VTK_FLOAT
-    ? static_cast<double>(std::numeric_limits<float>::epsilon()) / 2
-    : std::numeric_limits<double>::epsilon() / 2;
+  Roundoff = grid->GetPoints()->GetDataType() == VTK_FLOAT ? kFloatRoundoff : kUnitRoundoff;
   for (CellBasis& basis : Bases)
   {
     if (basis.kind.weights == 0)

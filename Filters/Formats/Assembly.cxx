@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/NoiseBound.h"
+#include "Core/Basis/OrderReduction.h"
 #include "Core/Element/ElementUnits.h"
 #include "Core/Math/Rounding.h"
 #include "Formats/FileText.h"
@@ -137,10 +138,10 @@ void Prepare(Bases basis, Space (*spaceOf)(const Space&), SolverMesh& mesh)
   mesh.uncertainty.resize(basis.size());
 }
 
-/// Stores an element's units, uncertainty and `modes` in `mesh`; `modes`: those of the map, in
-/// units of the element.
+/// Stores an element's units and uncertainty in `mesh`. `modes`: those of the map, in units of the
+/// element. `roundoff`: of the coordinates.
 void StoreUnits(const ElementUnits& units, const MapNoise& noise, std::span<const double> modes,
-  std::size_t e, SolverMesh& mesh)
+  double roundoff, std::size_t e, SolverMesh& mesh)
 {
   for (int c = 0; c < 3; ++c)
   {
@@ -148,9 +149,48 @@ void StoreUnits(const ElementUnits& units, const MapNoise& noise, std::span<cons
   }
   mesh.size[e] = std::ldexp(1.0, units.exponent);
   const double roundings =
-    std::ldexp(kCoordinateRoundings * kUnitRoundoff * units.largest, -units.exponent);
+    std::ldexp(kCoordinateRoundings * roundoff * units.largest, -units.exponent);
   mesh.uncertainty[e] = mesh.size[e] * noise.Of(roundings, modes);
 }
+
+/// Finds the orders of maps that rounding explains, in one basis.
+class RoundedOrders
+{
+public:
+  /// `space`: of the maps; that of the basis, or of the slab on it.
+  RoundedOrders(const ChangeOfBasis& change, const Space& space, double roundoff)
+    : MapSpace(space)
+    , Roundoff(roundoff)
+    , Noise(NoiseBound(change))
+  {
+    std::map<std::array<int, 3>, double> ofMode;
+    ForEachMode(change.Target(),
+      [&](int p, int q, int r, int mode) {
+        ofMode[{ p, q, r }] = change.Amplification()[mode];
+      });
+    // Modes across a slab are not from coordinates.
+    ForEachMode(space,
+      [&](int p, int q, int r, int) {
+        Amplification.push_back(ofMode[{ p, q, r }]);
+      });
+  }
+
+  /// The reduction of an element's map. Refers to the mesh and to this object.
+  [[nodiscard]] OrderReduction Of(const SolverMesh& mesh, std::size_t e) const
+  {
+    const auto centre = std::span(mesh.centre).subspan(3 * e, 3);
+    const double largest =
+      std::max({ std::fabs(centre[0]), std::fabs(centre[1]), std::fabs(centre[2]) });
+    const double roundings = kCoordinateRoundings * Roundoff * (largest / mesh.size[e] + 1.0);
+    return { MapSpace, Amplification, mesh.map.Coefficients(e), roundings, Noise, 1.0 };
+  }
+
+private:
+  Space MapSpace;
+  double Roundoff;
+  double Noise;
+  std::vector<double> Amplification; ///< per mode of a map
+};
 
 /// The box of all elements, by their source values.
 Box BoxOfMesh(Bases basis, int components, const Gather& gather, const Describe& describe)
@@ -195,7 +235,7 @@ OwnedExpansion AssembleField(Bases basis, int components, const Gather& gather)
 }
 
 void AssembleMap(Bases basis, const Gather& gather,
-  const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh)
+  const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh, double roundoff)
 {
   Prepare(basis, &Same, mesh);
   const auto noise = NoiseOf(basis);
@@ -212,17 +252,17 @@ void AssembleMap(Bases basis, const Gather& gather,
       {
         value *= inUnits; // a power of two: exact
       }
-      StoreUnits(units, noise.at(basis[e]), coefficients, e, mesh);
+      StoreUnits(units, noise.at(basis[e]), coefficients, roundoff, e, mesh);
     });
 }
 
 void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
   const std::function<std::string(std::size_t)>& describe, const std::string& file,
-  SolverMesh& mesh)
+  SolverMesh& mesh, double roundoff)
 {
   const Box all = BoxOfMesh(basis, components, gather, describe);
-  const Slab slab = NameErrors(
-    file, [&] { return MakeSlab(all.low, all.high, kCoordinateRoundings * kUnitRoundoff); });
+  const Slab slab =
+    NameErrors(file, [&] { return MakeSlab(all.low, all.high, kCoordinateRoundings * roundoff); });
   mesh.slab = slab;
   Prepare(basis, &Lifted, mesh);
   const auto noise = NoiseOf(basis);
@@ -244,8 +284,43 @@ void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
       std::ranges::transform(plane, plane.begin(), inUnits);
       LiftMap(change.Target(), plane, inUnits(slab.middle - units.centre.z),
         inUnits(slab.thickness / 2), mesh.map.Coefficients(e));
-      StoreUnits(units, noise.at(basis[e]), plane, e, mesh);
+      StoreUnits(units, noise.at(basis[e]), plane, roundoff, e, mesh);
     });
+}
+
+void DropRoundedOrders(Bases basis, double roundoff, SolverMesh& mesh)
+{
+  std::map<const ElementBasis*, RoundedOrders> rounded;
+  for (std::size_t e = 0; e < basis.size(); ++e)
+  {
+    if (!rounded.contains(basis[e]))
+    {
+      rounded.try_emplace(basis[e], basis[e]->parts[0], mesh.map.SpaceOf(e), roundoff);
+    }
+  }
+  std::vector<Space> kept(basis.size());
+  ForElements(basis.size(),
+    [&](std::size_t e, Work&)
+    {
+      const OrderReduction reduction = rounded.at(basis[e]).Of(mesh, e);
+      kept[e] = reduction.Reduce();
+      if (kept[e] != mesh.map.SpaceOf(e))
+      {
+        mesh.uncertainty[e] = mesh.size[e] * reduction.Uncertainty(kept[e]);
+      }
+    });
+  OwnedExpansion reduced;
+  reduced.Allocate(kept, 3);
+  const std::size_t size = reduced.coefficients.size();
+  // In place, since the maps may take most of the memory: each one moves towards the front.
+  for (std::size_t e = 0; e < basis.size(); ++e)
+  {
+    const auto modes = rounded.at(basis[e]).Of(mesh, e).Keep(kept[e], 1.0);
+    std::ranges::copy(modes, mesh.map.coefficients.begin() + reduced.offset[e]);
+  }
+  reduced.coefficients = std::move(mesh.map.coefficients);
+  reduced.coefficients.Shrink(size);
+  mesh.map = std::move(reduced);
 }
 
 void ScaleToSlab(const Slab& slab, SolverField& field)

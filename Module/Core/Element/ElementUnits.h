@@ -9,6 +9,9 @@ namespace pixelexact
 /// in the last place from writing it and a few from the solver's evaluation.
 inline constexpr double kCoordinateRoundings = 4.0;
 
+/// Unit roundoff of coordinates in single precision.
+inline constexpr double kFloatRoundoff = 0x1p-24;
+
 /// The units in which an element's map is stored (Mesh in Core/Element/Mesh.h).
 struct ElementUnits
 {
