@@ -176,9 +176,9 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     const PieceOf part = PieceAskedFor(asked);
     this->Piece = part.piece;
     this->Pieces = part.count;
+    const int meshStep = this->StepOfMesh(step);
     const bool wantMesh = !this->MeshGrid || this->MeshTime < this->GetMTime() ||
-      (this->StepsHaveMeshes() && step != this->MeshStep) ||
-      PieceOf{ this->MeshPiece, this->MeshPieces } != part;
+      meshStep != this->MeshStep || PieceOf{ this->MeshPiece, this->MeshPieces } != part;
     SolverModel model = this->ReadPart(step, wantMesh);
     ReturnFreedMemory();
     this->UpdateProgress(0.6);
@@ -190,7 +190,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
         this->MeshGrid));
       StoreParameters(model.parameters, this->MeshGrid);
       this->MeshTime.Modified();
-      this->MeshStep = step;
+      this->MeshStep = meshStep;
       this->MeshPiece = part.piece;
       this->MeshPieces = part.count;
     }

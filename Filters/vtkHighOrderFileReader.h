@@ -113,9 +113,10 @@ protected:
   virtual pixelexact::SolverModel ReadModel(int step, bool wantMesh) = 0;
 
   /**
-   * Whether each step has its own mesh, so that a new step reads it. Otherwise steps share one.
+   * The step whose mesh this step has. Steps share the first one's mesh by default; a step with
+   * another mesh reads it. Throws pixelexact::Error.
    */
-  virtual bool StepsHaveMeshes() { return false; }
+  virtual int StepOfMesh(int /*step*/) { return 0; }
 
   /**
    * Whether these are the first bytes of a file of the reader's kind, after gunzip.
@@ -150,7 +151,7 @@ private:
   std::unique_ptr<pixelexact::CellLayout> MeshLayout;
   std::string LayoutNote; ///< reason for other cells than the requested ones; may be empty
   vtkTimeStamp MeshTime;
-  int MeshStep = 0; ///< step of MeshGrid, where steps have their own meshes
+  int MeshStep = 0; ///< StepOfMesh of MeshGrid
   int MeshPiece = 0;
   int MeshPieces = 1;
 };

@@ -50,7 +50,7 @@ protected:
   pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
   bool IsHead(const std::string& head) override;
   std::vector<double> ReadTimes() override;
-  bool StepsHaveMeshes() override { return true; }
+  int StepOfMesh(int step) override { return step; }
 
 private:
   vtkMFEMReader(const vtkMFEMReader&) = delete;
