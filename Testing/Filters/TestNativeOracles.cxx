@@ -5,6 +5,7 @@
 #include "vtkGLVisReader.h"
 #include "vtkGmshReader.h"
 #include "vtkMFEMReader.h"
+#include "vtkNekReader.h"
 #include "vtkNektarReader.h"
 
 namespace
@@ -56,6 +57,10 @@ vtkSmartPointer<vtkHighOrderFileReader> MakeReader(const NativeCase& c)
   if (std::string(c.mesh).ends_with(".msh"))
   {
     return vtkSmartPointer<vtkGmshReader>::New();
+  }
+  if (std::string(c.mesh).ends_with(".nek5000"))
+  {
+    return vtkSmartPointer<vtkNekReader>::New();
   }
   auto reader = vtkSmartPointer<vtkMFEMReader>::New();
   reader->AddGridFunctionFileName(InFolder(c, c.values).c_str());
@@ -141,6 +146,7 @@ const NativeCase kNativeCases[] = {
   MFEM("mfem_toroid_hex_g3_p6", "u", 6),
   MFEM("mfem_toroid_prism_g3_p4", "u", 4),
 #undef MFEM
+  { "nek5000_bent", "bent.nek5000", "", "oracle.csv", "pressure", 3, false },
 #define NEKTAR(name, field, order)                                                                 \
   {                                                                                                \
     name, name ".xml", name ".fld", "oracle.csv", field, order, false                              \

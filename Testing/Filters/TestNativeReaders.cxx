@@ -9,6 +9,7 @@
 #include "vtkGmshReader.h"
 #include "vtkInformation.h"
 #include "vtkMFEMReader.h"
+#include "vtkNekReader.h"
 #include "vtkNektarReader.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
@@ -140,7 +141,7 @@ void ExpectRoundTrip(vtkHighOrderFileReader* reader)
   }
 }
 
-void ExpectTimes(vtkNektarReader* reader, double first, double second)
+void ExpectTimes(vtkHighOrderFileReader* reader, double first, double second)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   reader->UpdateInformation();
@@ -444,6 +445,64 @@ TEST(NektarReader, HalfModesAreTheirExactSolution)
   }
 }
 
+/// The second step has no mesh and so has the first one's.
+TEST(NekReader, StepsShareAMesh)
+{
+  vtkNew<vtkNekReader> reader;
+  reader->SetFileName((kData / "nek5000_bent" / "bent.nek5000").c_str());
+  ExpectTimes(reader, 0.5, 1.25);
+  std::vector<std::shared_ptr<const HighOrderModel>> models;
+  for (const double time : { 0.5, 1.25, 0.75 })
+  {
+    reader->UpdateTimeStep(time);
+    const auto model = HighOrderModel::From(reader->GetOutput());
+    models.push_back(model);
+    const Vec3 xi(-0.25, 0.5, 0.125);
+    Vec3 x;
+    MapForward(model->GetMesh(), 1, std::span(&xi, 1), std::span(&x, 1));
+    std::vector<double> found(1);
+    EvaluateAt(model->GetMesh(), *model->FindField("pressure"), 1, std::span(&xi, 1), found, {});
+    EXPECT_NEAR(found[0], (time < 1.25 ? 1.5 : 2.25) * (x.x * x.y - x.z), 1e-14) << time;
+  }
+  for (const auto& model : models)
+  {
+    EXPECT_EQ(&model->GetLocator(), &models[0]->GetLocator());
+  }
+}
+
+TEST(NekReader, StepsWithMeshesReadThem)
+{
+  const Scratch scratch;
+  const auto folder = kData / "nek5000_bent";
+  // The second step's files have the first one's content, moved by 8 and at another time.
+  for (const std::string part : { "bent0.f0000", "bent1.f0000" })
+  {
+    std::string step = Text(folder / (part + "0"));
+    scratch.Write(part + "0", step);
+    step.replace(step.find("5.0000000000000E-01"), 19, "7.5000000000000E-01");
+    for (std::size_t node = 0; node < 64; ++node)
+    {
+      double x = 0.0;
+      std::memcpy(&x, &step[140 + 8 * node], sizeof(x));
+      x += 8.0;
+      std::memcpy(&step[140 + 8 * node], &x, sizeof(x));
+    }
+    scratch.Write(part + "1", step);
+  }
+  vtkNew<vtkNekReader> reader;
+  reader->SetFileName(scratch.Path("bent1.f00001").c_str());
+  reader->AddStepFileName(scratch.Path("bent0.f00000").c_str());
+  ExpectTimes(reader, 0.5, 0.75);
+  for (const double time : { 0.75, 0.5 })
+  {
+    reader->UpdateTimeStep(time);
+    EXPECT_EQ(reader->GetOutput()->GetBounds()[0], time > 0.5 ? 8.0 : 0.0);
+  }
+  scratch.Write("bent1.f00001", Text(folder / "bent1.f00000").substr(0, 2000));
+  reader->Modified();
+  ExpectRefusal(reader, "bent1.f00001: the file has 2000 bytes");
+}
+
 TEST(NativeReaders, KnowTheirFilesByContent)
 {
   const Scratch scratch;
@@ -451,7 +510,8 @@ TEST(NativeReaders, KnowTheirFilesByContent)
   vtkNew<vtkNektarReader> nektar;
   vtkNew<vtkGmshReader> gmsh;
   vtkNew<vtkGLVisReader> glvis;
-  const std::vector<vtkHighOrderFileReader*> readers{ mfem, nektar, gmsh, glvis };
+  vtkNew<vtkNekReader> nek;
+  const std::vector<vtkHighOrderFileReader*> readers{ mfem, nektar, gmsh, glvis, nek };
   const std::string darcy = (kData / "mfem_escher_tet_darcy_p3").string();
   const std::pair<std::string, vtkHighOrderFileReader*> files[] = {
     { darcy + "/mfem_escher_tet_darcy_p3.mesh", mfem },
@@ -460,6 +520,8 @@ TEST(NativeReaders, KnowTheirFilesByContent)
     { (kData / "nek_tet_varp" / "nek_tet_varp.fld").string(), nektar },
     { (kData / "nek_hdf5" / "nek_tet_varp.fld").string(), nektar },
     { (kData / "gmsh_zoo_g2" / "gmsh_zoo_g2.msh").string(), gmsh },
+    { (kData / "nek5000_bent" / "bent.nek5000").string(), nek },
+    { (kData / "nek5000_bent" / "bent1.f00001").string(), nek },
     { scratch.Write("a.saved", "\n solution\nMFEM mesh v1.0\n"), glvis },
     { scratch.Write("a.mfem_root", "{ \"dsets\": { \"main\": {} } }"), mfem },
     { scratch.Write("city.xml", "<?xml version=\"1.0\"?>\n<CityModel/>\n"), nullptr },

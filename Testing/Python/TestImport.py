@@ -46,6 +46,7 @@ CLASSES = [
     "vtkImplicitCallback",
     "vtkImplicitTorus",
     "vtkMFEMReader",
+    "vtkNekReader",
     "vtkNektarReader",
     "vtkUnstructuredGridToHighOrderGrid",
 ]

@@ -12,6 +12,7 @@
 #include "Files/TimeSeries.h"
 #include "Formats/FileText.h"
 #include "Formats/MFEM/Text/PieceNames.h"
+#include "Formats/Nek5000/Series.h"
 
 #include <vtkUnstructuredGrid.h>
 
@@ -31,6 +32,8 @@ const Format* FindFormat(std::string suffix)
 {
   // Pieces of MFEM's parallel runs have a number as suffix.
   suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
+  // Nek5000's steps have theirs in the suffix.
+  suffix = nek5000::IsStepName("x" + suffix) ? ".f00000" : suffix;
   const std::span<const Format> formats = Formats();
   const auto format = std::ranges::find(formats, suffix, &Format::suffix);
   return format == formats.end() ? nullptr : &*format;

@@ -12,6 +12,7 @@
 #include "vtkGmshReader.h"
 #include "vtkHighOrderGrid.h"
 #include "vtkMFEMReader.h"
+#include "vtkNekReader.h"
 #include "vtkNektarReader.h"
 
 #include <vtkCallbackCommand.h>
@@ -148,6 +149,16 @@ InputGrid ReadNektarFiles(const InputRequest& request)
     {
       reader->AddFieldFileName(file.c_str());
     }
+  }
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadNekFiles(const InputRequest& request)
+{
+  vtkNew<vtkNekReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddStepFileName(request.files[i].c_str());
   }
   return ReadWith(*reader, request);
 }

@@ -16,6 +16,8 @@ InputGrid ReadGlvisFile(const InputRequest& request);
 InputGrid ReadGmshFiles(const InputRequest& request);
 /// x.xml [more.xml x.nekg ...] [u.fld ...]; several field files are time steps.
 InputGrid ReadNektarFiles(const InputRequest& request);
+/// x.nek5000, or x0.f00000 [x0.f00001 ...], which are time steps.
+InputGrid ReadNekFiles(const InputRequest& request);
 /// A field file in the first place.
 InputGrid RefuseFieldFile(const InputRequest& request);
 } // namespace pixelexact
