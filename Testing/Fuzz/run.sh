@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 cd "$build"
 runs=()
-for format in Gmsh Mfem Nektar; do
+for format in Gmsh Mfem Nek5000 Nektar; do
   # Inputs found on the way stay in the build folder.
   mkdir -p "found/$format"
   "./Fuzz$format" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=16384 \
@@ -20,7 +20,7 @@ status=0
 for run in "${runs[@]}"; do
   wait "$run" || status=1
 done
-for format in Gmsh Mfem Nektar; do
+for format in Gmsh Mfem Nek5000 Nektar; do
   echo "== $format"
   grep -E 'ERROR|SUMMARY|stat::|Test unit' "Fuzz$format.log" || tail -20 "Fuzz$format.log"
 done
