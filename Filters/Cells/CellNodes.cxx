@@ -231,6 +231,30 @@ CellDegrees CellDegreesOf(const Space& space)
   }
 }
 
+std::vector<std::size_t> UnmirroredOrder(const CellNodes& cell)
+{
+  const auto corners = static_cast<std::size_t>(cell.corners);
+  std::array<int, 8> cornerOf{};
+  std::iota(cornerOf.begin(), cornerOf.end(), 0);
+  Mirror(std::span(cornerOf).first(corners));
+  std::map<std::array<int, 8>, std::size_t> places;
+  for (std::size_t k = 0; k < cell.nodes.size(); ++k)
+  {
+    places[cell.nodes[k].weight] = k;
+  }
+  std::vector<std::size_t> order(cell.nodes.size());
+  for (std::size_t m = 0; m < cell.nodes.size(); ++m)
+  {
+    std::array<int, 8> weight{};
+    for (std::size_t c = 0; c < corners; ++c)
+    {
+      weight[static_cast<std::size_t>(cornerOf[c])] = cell.nodes[m].weight[c];
+    }
+    order[places.at(weight)] = m;
+  }
+  return order;
+}
+
 ElementCells::ElementCells(const Mesh& mesh, std::span<const CellDegrees> degrees)
 {
   const auto elements = static_cast<std::size_t>(mesh.Elements());

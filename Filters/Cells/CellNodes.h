@@ -7,6 +7,7 @@
 #include "Core/Shape/Shape.h"
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <span>
 #include <tuple>
@@ -56,6 +57,9 @@ struct CellNodes
 
 /// The degrees of a cell that holds a space's functions, at most kMaxCellDegree.
 [[nodiscard]] CellDegrees CellDegreesOf(const Space& space);
+
+/// The nodes of a cell that is not mirrored, by their places among those of the mirrored one.
+[[nodiscard]] std::vector<std::size_t> UnmirroredOrder(const CellNodes& cell);
 
 /// A kind of cell, mirrored where VTK would compute a negative volume otherwise.
 struct CellOfKind

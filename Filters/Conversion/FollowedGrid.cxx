@@ -2,7 +2,6 @@
 #include "Conversion/FollowedGrid.h"
 
 #include "Cells/CellNodes.h"
-#include "Cells/LinearCell.h"
 #include "Conversion/ConvertedGrid.h"
 #include "Conversion/GridConversion.h"
 #include "Conversion/SourceArrays.h"
@@ -61,112 +60,6 @@ std::vector<vtkDataArray*> NewPointArrays(vtkUnstructuredGrid* grid)
         grid->GetFieldData()->HasArray((kDefinitionPrefix + name).c_str()) != 0;
     });
   return arrays;
-}
-
-/// The nodes of a cell that is not mirrored, by their places among those of the mirrored cell.
-std::vector<std::size_t> UnmirroredOrder(const CellNodes& cell)
-{
-  const auto corners = static_cast<std::size_t>(cell.corners);
-  std::array<int, 8> cornerOf{};
-  std::iota(cornerOf.begin(), cornerOf.end(), 0);
-  Mirror(std::span(cornerOf).first(corners));
-  std::map<std::array<int, 8>, std::size_t> places;
-  for (std::size_t k = 0; k < cell.nodes.size(); ++k)
-  {
-    places[cell.nodes[k].weight] = k;
-  }
-  std::vector<std::size_t> order(cell.nodes.size());
-  for (std::size_t m = 0; m < cell.nodes.size(); ++m)
-  {
-    std::array<int, 8> weight{};
-    for (std::size_t c = 0; c < corners; ++c)
-    {
-      weight[static_cast<std::size_t>(cornerOf[c])] = cell.nodes[m].weight[c];
-    }
-    order[places.at(weight)] = m;
-  }
-  return order;
-}
-
-/// The inverse of a symmetric matrix; none where it is singular up to rounding.
-using MotionMatrix = std::array<std::array<long double, 3>, 3>;
-std::optional<MotionMatrix> InverseOfSymmetric(const MotionMatrix& m)
-{
-  MotionMatrix cofactors{};
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      cofactors[j][i] = m[(i + 1) % 3][(j + 1) % 3] * m[(i + 2) % 3][(j + 2) % 3] -
-        m[(i + 1) % 3][(j + 2) % 3] * m[(i + 2) % 3][(j + 1) % 3];
-    }
-  }
-  const long double determinant =
-    m[0][0] * cofactors[0][0] + m[0][1] * cofactors[1][0] + m[0][2] * cofactors[2][0];
-  if (!(std::fabs(determinant) > 1e-15L * m[0][0] * m[1][1] * m[2][2]))
-  {
-    return std::nullopt;
-  }
-  for (auto& row : cofactors)
-  {
-    for (long double& entry : row)
-    {
-      entry /= determinant;
-    }
-  }
-  return cofactors;
-}
-
-/// The affine motion, with the least sum of squared distances, of points to others. None where the
-/// points lie in a plane.
-std::optional<AffineMotion> FitMotion(std::span<const Vec3> points, std::span<const Vec3> moved)
-{
-  AffineMotion motion;
-  const auto count = static_cast<long double>(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      motion.from[c] += static_cast<long double>(points[p][static_cast<int>(c)]) / count;
-      motion.to[c] += static_cast<long double>(moved[p][static_cast<int>(c)]) / count;
-    }
-  }
-  MotionMatrix spread{};
-  MotionMatrix image{};
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    std::array<long double, 3> x{};
-    std::array<long double, 3> y{};
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      x[c] = points[p][static_cast<int>(c)] - motion.from[c];
-      y[c] = moved[p][static_cast<int>(c)] - motion.to[c];
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      for (std::size_t j = 0; j < 3; ++j)
-      {
-        spread[i][j] += x[i] * x[j];
-        image[i][j] += y[i] * x[j];
-      }
-    }
-  }
-  const std::optional<MotionMatrix> inverse = InverseOfSymmetric(spread);
-  if (!inverse)
-  {
-    return std::nullopt;
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        motion.matrix[i][j] += image[i][k] * (*inverse)[k][j];
-      }
-    }
-  }
-  return motion;
 }
 
 /// Makes the grid that FollowGrid returns.
@@ -275,7 +168,7 @@ private:
     {
       return std::nullopt;
     }
-    const double stretch = StretchOf(*motion);
+    const double stretch = motion->Stretch();
     const double rounding =
       Source->CoordinateRoundoff() * std::max(largestMoved, stretch * largest);
     errors.resize(static_cast<std::size_t>(Map.Elements()));
@@ -306,7 +199,7 @@ private:
   /// The slab of a 2-D mesh after a motion, which must keep it parallel to its plane.
   [[nodiscard]] Slab MovedSlab(const Slab& slab, const std::optional<AffineMotion>& motion) const
   {
-    const double stretch = motion ? StretchOf(*motion) : 0.0;
+    const double stretch = motion ? motion->Stretch() : 0.0;
     const auto isSmall = [&](std::size_t i, std::size_t j)
     { return std::fabs(motion->matrix[i][j]) <= kParallel * stretch; };
     if (motion && isSmall(2, 0) && isSmall(2, 1) && isSmall(0, 2) && isSmall(1, 2))

@@ -426,29 +426,6 @@ OwnedMesh WarpedMesh(
   return MakeMesh(spaces, [&](int e) { return WarpElement(mesh, e, displacement, scale, jump); });
 }
 
-std::array<long double, 3> AffineMotion::Apply(const Vec3& x) const
-{
-  std::array<long double, 3> image = to;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      image[c] += matrix[c][j] * (static_cast<long double>(x[static_cast<int>(j)]) - from[j]);
-    }
-  }
-  return image;
-}
-
-double StretchOf(const AffineMotion& motion)
-{
-  long double sum = 0.0L;
-  for (const auto& row : motion.matrix)
-  {
-    sum += row[0] * row[0] + row[1] * row[1] + row[2] * row[2];
-  }
-  return static_cast<double>(std::sqrt(sum));
-}
-
 OwnedMesh MovedMesh(const Mesh& mesh, const AffineMotion& motion, std::span<const double> errors)
 {
   std::vector<Space> spaces;
@@ -457,7 +434,7 @@ OwnedMesh MovedMesh(const Mesh& mesh, const AffineMotion& motion, std::span<cons
   {
     spaces.push_back(mesh.map.SpaceOf(e));
   }
-  const double stretch = StretchOf(motion);
+  const double stretch = motion.Stretch();
   return MakeMesh(spaces,
     [&](int e)
     { return MoveElement(mesh, e, motion, stretch, errors[static_cast<std::size_t>(e)]); });

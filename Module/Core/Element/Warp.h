@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Element/AffineMotion.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Element/OwnedExpansion.h"
 #include "Core/Math/Vec.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -53,19 +53,6 @@ struct OwnedMesh
 /// elements that become too large.
 [[nodiscard]] OwnedMesh WarpedMesh(
   const Mesh& mesh, std::span<const WarpTerm> displacement, double scale, double jump);
-
-/// x becomes to + matrix (x - from).
-struct AffineMotion
-{
-  std::array<std::array<long double, 3>, 3> matrix{};
-  std::array<long double, 3> from{};
-  std::array<long double, 3> to{};
-
-  [[nodiscard]] std::array<long double, 3> Apply(const Vec3& x) const;
-};
-
-/// A bound of the factor by which the motion stretches a vector.
-[[nodiscard]] double StretchOf(const AffineMotion& motion);
 
 /// The affine image of a mesh. `errors`: per element, how far the motion may be from the true one,
 /// in world units; uncertainties are scaled by the motion and grow by that and by the rounding of
