@@ -29,8 +29,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <map>
+#include <memory>
 #include <optional>
 #include <ranges>
 #include <span>
@@ -92,7 +94,7 @@ public:
   }
 
 private:
-  /// The degrees of the grid's cells, and where they have none, 0.
+  /// The degrees of the grid's cells; 1 of linear ones.
   std::vector<CellDegrees> Degrees()
   {
     Source.emplace(Grid);
