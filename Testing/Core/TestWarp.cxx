@@ -352,7 +352,9 @@ TEST(WarpLimit, ElementsThatDoNotMoveHaveNoLimit)
   WarpCase two;
   two.builder.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
   two.builder.Add(UniformSpace(Shape::Hexahedron, 1),
-    [](const LongVec3& xi) { return LongVec3{ xi[0] + 2.0L, xi[1], xi[2] }; });
+    [](const LongVec3& xi) {
+      return LongVec3{ xi[0] + 2.0L, xi[1], xi[2] };
+    });
   two.values.Add(UniformSpace(Shape::Hexahedron, 2),
     [](const LongVec3& /*xi*/, long double* v) { v[0] = v[1] = v[2] = 0.0L; });
   two.values.Add(UniformSpace(Shape::Hexahedron, 2),
