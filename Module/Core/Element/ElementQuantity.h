@@ -34,7 +34,9 @@ public:
 /// reach_k, the derivatives by xi are in slopes[j](d / reach).
 struct JetBounds
 {
-  Interval values; ///< hold all values; everything where one may be NaN
+  /// Hold all values, and those that FieldFunction::JetValue computes for values that the scalar's
+  /// function takes; everything where one may be NaN.
+  Interval values;
   /// Whether the scalar is continuous in the box, so that the mean value theorem holds with the
   /// slopes (kinks may be there).
   bool isContinuous = false;

@@ -98,11 +98,12 @@ JetBounds BoxJet::Over(std::span<const AffineForm> forms, std::span<const Interv
   List->Compute([&](std::size_t k) { return leaves[k]; }, ApplyToBoxes, nodes);
   const auto output = [&](std::size_t k) -> const BoxValue& { return nodes[List->outputs[k]]; };
   JetBounds bounds;
-  bounds.values = output(0).Range();
-  bounds.isContinuous = !output(0).mayJump;
   const double error = output(0).error;
+  const double outer = Outer.ErrorOver(output(0).Range() + Interval(-error, error));
   // Once for computed values, once for the values that the proof is about.
-  bounds.valueError = error + 2.0 * Outer.ErrorOver(bounds.values + Interval(-error, error));
+  bounds.values = outer > 0.0 ? output(0).Range() + Interval(-outer, outer) : output(0).Range();
+  bounds.isContinuous = !output(0).mayJump;
+  bounds.valueError = error + 2.0 * outer;
   for (std::size_t j = 0; j < 3; ++j)
   {
     BoxValue slope(0.0);

@@ -198,7 +198,7 @@ double OuterFunctions::ErrorOver(const Interval& inner) const
         break;
       case Operation::Exp:
       {
-        // The logarithm changes by at most twice a small relative error.
+        // A logarithm changes by at most twice a small relative error.
         const double relative = off / values[Steps.size() - k].Mignitude() + kOfFunction;
         off = relative <= 0.25 ? 2.0 * relative + kOfFunction * (x + 1.0) : kInfinity;
         break;
