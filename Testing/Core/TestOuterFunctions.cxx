@@ -27,35 +27,36 @@ struct Chain
 };
 
 const Chain kChains[] = {
-  { "sqrt", [](Graph& graph, int g) { return graph.Of(Operation::Sqrt, g); },
+  { "sqrt", [](Graph& graph, int g) { return graph.Of(pixelexact::Operation::Sqrt, g); },
     [](double g) { return std::sqrt(g); }, [](Long v) { return v * v; } },
   { "3 - sqrt / 7",
     [](Graph& graph, int g)
     {
-      const int root = graph.Of(Operation::Sqrt, g);
-      return graph.Of(Operation::Subtract, graph.Constant(3.0),
-        graph.Of(Operation::Divide, root, graph.Constant(7.0)));
+      const int root = graph.Of(pixelexact::Operation::Sqrt, g);
+      return graph.Of(pixelexact::Operation::Subtract, graph.Constant(3.0),
+        graph.Of(pixelexact::Operation::Divide, root, graph.Constant(7.0)));
     },
     [](double g) { return 3.0 - std::sqrt(g) / 7.0; },
     [](Long v) { return 49.0L * (3.0L - v) * (3.0L - v); } },
   { "0.3 exp + 1e-3",
     [](Graph& graph, int g)
     {
-      return graph.Of(Operation::Add,
-        graph.Of(Operation::Multiply, graph.Constant(0.3), graph.Of(Operation::Exp, g)),
+      return graph.Of(pixelexact::Operation::Add,
+        graph.Of(pixelexact::Operation::Multiply, graph.Constant(0.3),
+          graph.Of(pixelexact::Operation::Exp, g)),
         graph.Constant(1e-3));
     },
     [](double g) { return 0.3 * std::exp(g) + 1e-3; },
     [](Long v) { return std::log((v - static_cast<Long>(1e-3)) / static_cast<Long>(0.3)); } },
-  { "log", [](Graph& graph, int g) { return graph.Of(Operation::Log, g); },
+  { "log", [](Graph& graph, int g) { return graph.Of(pixelexact::Operation::Log, g); },
     [](double g) { return std::log(g); }, [](Long v) { return std::exp(v); } },
 };
 
 /// A node that is not negative by its operations.
 int SquareIn(Graph& graph)
 {
-  const int u = graph.Leaf({ .operation = Operation::Value, .field = 0 });
-  return graph.Of(Operation::Multiply, u, u);
+  const int u = graph.Leaf({ .operation = pixelexact::Operation::Value, .field = 0 });
+  return graph.Of(pixelexact::Operation::Multiply, u, u);
 }
 } // namespace
 
@@ -86,10 +87,11 @@ TEST(OuterFunctions, ValuesOutsideOfTheRangeAreInfinite)
   Graph graph;
   const int inner = SquareIn(graph);
   const double infinity = std::numeric_limits<double>::infinity();
-  const OuterFunctions root(graph, graph.Of(Operation::Sqrt, inner));
+  const OuterFunctions root(graph, graph.Of(pixelexact::Operation::Sqrt, inner));
   EXPECT_EQ(root.Invert(-1.0), -infinity);
   EXPECT_EQ(root.Invert(0.0), 0.0);
-  const OuterFunctions falling(graph, graph.Of(Operation::Negate, graph.Of(Operation::Exp, inner)));
+  const OuterFunctions falling(
+    graph, graph.Of(pixelexact::Operation::Negate, graph.Of(pixelexact::Operation::Exp, inner)));
   EXPECT_EQ(falling.Invert(1.0), -infinity);
   EXPECT_EQ(falling.Invert(-1.0), 0.0);
 }
@@ -98,8 +100,9 @@ TEST(OuterFunctions, ValuesOutsideOfTheRangeAreInfinite)
 TEST(OuterFunctions, RootsOfOtherNodesStay)
 {
   Graph graph;
-  const int u = graph.Leaf({ .operation = Operation::Value, .field = 0 });
-  for (const Operation operation : { Operation::Sqrt, Operation::Log, Operation::Sin })
+  const int u = graph.Leaf({ .operation = pixelexact::Operation::Value, .field = 0 });
+  for (const Operation operation :
+    { pixelexact::Operation::Sqrt, pixelexact::Operation::Log, pixelexact::Operation::Sin })
   {
     const int node = graph.Of(operation, u);
     const OuterFunctions outer(graph, node);
