@@ -101,7 +101,7 @@ TEST(OuterFunctions, RootsOfOtherNodesStay)
 {
   Graph graph;
   const int u = graph.Leaf({ .operation = pixelexact::Operation::Value, .field = 0 });
-  for (const Operation operation :
+  for (const pixelexact::Operation operation :
     { pixelexact::Operation::Sqrt, pixelexact::Operation::Log, pixelexact::Operation::Sin })
   {
     const int node = graph.Of(operation, u);
