@@ -35,6 +35,11 @@ void vtkNekReader::ClearStepFileNames()
   this->Modified();
 }
 
+std::vector<std::string> vtkNekReader::GetFieldNames()
+{
+  return this->Series ? this->Series->FieldNames() : std::vector<std::string>();
+}
+
 std::vector<double> vtkNekReader::ReadTimes()
 {
   this->Series.reset();

@@ -19,6 +19,8 @@
 #include "vtkHighOrderFileReader.h"
 
 #include <memory> // for the steps
+#include <string> // for names
+#include <vector> // for names
 
 // The namespaces are nested so that vtkWrapHierarchy of VTK 9.1 can parse them.
 // NOLINTNEXTLINE(modernize-concat-nested-namespaces)
@@ -44,6 +46,11 @@ public:
   void AddStepFileName(const char* name);
   void ClearStepFileNames();
   ///@}
+
+  /**
+   * The names of the fields, after UpdateInformation.
+   */
+  std::vector<std::string> GetFieldNames();
 
 protected:
   vtkNekReader();

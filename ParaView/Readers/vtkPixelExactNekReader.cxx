@@ -34,4 +34,9 @@ void vtkPixelExactNekReader::Prepare()
   this->Reader->ClearStepFileNames();
   std::for_each(this->FileNames.begin() + 1, this->FileNames.end(),
     [this](const std::string& step) { this->Reader->AddStepFileName(step.c_str()); });
+  this->Reader->UpdateInformation();
+  for (const std::string& field : this->Reader->GetFieldNames())
+  {
+    this->Offer(field, true);
+  }
 }

@@ -122,7 +122,7 @@ class Readers(unittest.TestCase):
 
     def test_nek5000(self):
         file = "nek5000_bent/bent.nek5000"
-        reader = simple.PixelExactNekReader(FileName=[scene.data(file)])
+        reader = simple.PixelExactNek5000Reader(FileName=[scene.data(file)])
         reader.UpdatePipelineInformation()
         self.assertEqual(list(reader.TimestepValues), [0.5, 1.25])
         self.check(reader, "nek5000_bent/oracle.csv", "pressure", [file])
@@ -176,7 +176,7 @@ class Readers(unittest.TestCase):
             scene.data(nektar + ".fld"): ["PixelExactNektarReader"],
             scene.data(mfem + "mfem_escher_tet_darcy_p3.mesh"): ["PixelExactMFEMReader"],
             scene.data("gmsh_zoo_g2/gmsh_zoo_g2.msh"): ["PixelExactGmshReader"],
-            scene.data("nek5000_bent/bent0.f00000"): ["PixelExactNekReader"],
+            scene.data("nek5000_bent/bent0.f00000"): ["PixelExactNek5000Reader"],
             scene.data("toroid_hex_g3_p6.vtu"): ["PixelExactGridReader", plain],
             quadratic: ["PixelExactGridReader", plain],
             linear: [plain],

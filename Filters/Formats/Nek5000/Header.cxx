@@ -195,6 +195,28 @@ int Header::Components() const
   return ofVectors + (hasPressure ? 1 : 0) + (hasTemperature ? 1 : 0) + scalars;
 }
 
+std::vector<HeaderField> Header::Fields() const
+{
+  std::vector<HeaderField> fields;
+  if (hasVelocity)
+  {
+    fields.push_back({ "velocity", Dimension() });
+  }
+  if (hasPressure)
+  {
+    fields.push_back({ "pressure", 1, !isPressureElsewhere });
+  }
+  if (hasTemperature)
+  {
+    fields.push_back({ "temperature" });
+  }
+  for (int s = 1; s <= scalars; ++s)
+  {
+    fields.push_back({ "s" + std::to_string(s) });
+  }
+  return fields;
+}
+
 Header ParseHeader(const std::string& file, std::string_view head)
 {
   if (!head.starts_with(kMagic))

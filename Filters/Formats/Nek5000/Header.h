@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The header of a file of Nek5000, nekRS or neko (x0.f00001).
 namespace pixelexact::nek5000
@@ -18,6 +19,14 @@ inline bool IsDigit(char c)
 {
   return c >= '0' && c <= '9';
 }
+
+/// A field of a file, as it follows the mesh.
+struct HeaderField
+{
+  std::string name;
+  int components = 1;
+  bool isRead = true; ///< else its values are at other nodes
+};
 
 struct Header
 {
@@ -41,6 +50,8 @@ struct Header
   [[nodiscard]] int NodesOfElement() const { return nodes[0] * nodes[1] * nodes[2]; }
   /// Values of a node in the file, of all components.
   [[nodiscard]] int Components() const;
+  /// The fields in the order of the file.
+  [[nodiscard]] std::vector<HeaderField> Fields() const;
 };
 
 /// Parses the first kHeaderBytes bytes of a file. Throws InvalidData or Unsupported, with the

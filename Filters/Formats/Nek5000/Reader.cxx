@@ -148,31 +148,19 @@ SolverModel Read(const std::vector<NamedText>& step, const std::vector<NamedText
   const std::string& file = step.front().name;
   const StepElements elements(step);
   const Header& header = elements.GetHeader();
-  const int dimension = header.Dimension();
   FieldReader fields(elements, file, model);
-  fields.Skip(header.hasMesh ? dimension : 0);
-  if (header.hasVelocity)
+  fields.Skip(header.hasMesh ? header.Dimension() : 0);
+  for (const HeaderField& field : header.Fields())
   {
-    fields.Add("velocity", dimension);
-  }
-  if (header.hasPressure && header.isPressureElsewhere)
-  {
-    model.notes.push_back(file +
-      ": the pressure has values at other nodes than the velocity (a file for restarts) and is "
-      "left out; write it with if_full_pres = .false.");
-    fields.Skip(1);
-  }
-  else if (header.hasPressure)
-  {
-    fields.Add("pressure", 1);
-  }
-  if (header.hasTemperature)
-  {
-    fields.Add("temperature", 1);
-  }
-  for (int s = 1; s <= header.scalars; ++s)
-  {
-    fields.Add("s" + std::to_string(s), 1);
+    if (field.isRead)
+    {
+      fields.Add(field.name, field.components);
+      continue;
+    }
+    model.notes.push_back(file + ": the " + field.name +
+      " has values at other nodes than the velocity (a file for restarts) and is left out; write "
+      "it with if_full_pres = .false.");
+    fields.Skip(field.components);
   }
   return model;
 }

@@ -377,6 +377,22 @@ std::vector<std::string> Series::FilesOf(int step) const
   return files;
 }
 
+std::vector<std::string> Series::FieldNames() const
+{
+  std::vector<std::string> names;
+  for (const Step& step : Steps)
+  {
+    for (const HeaderField& field : step.header.Fields())
+    {
+      if (field.isRead && std::ranges::find(names, field.name) == names.end())
+      {
+        names.push_back(field.name);
+      }
+    }
+  }
+  return names;
+}
+
 int Series::StepOfMesh(int step) const
 {
   const auto own = Steps.begin() + step;

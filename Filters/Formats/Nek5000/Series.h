@@ -63,6 +63,9 @@ public:
   [[nodiscard]] const std::vector<double>& Times() const { return TimeOf; }
   [[nodiscard]] const std::vector<std::string>& Notes() const { return Noted; }
 
+  /// The fields that any step has and that are read.
+  [[nodiscard]] std::vector<std::string> FieldNames() const;
+
   /// The files of all parts of a step, counted from 0. Throws InvalidData, with the name of a
   /// missing file.
   [[nodiscard]] std::vector<std::string> FilesOf(int step) const;
