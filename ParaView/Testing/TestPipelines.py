@@ -200,7 +200,7 @@ class Pipelines(unittest.TestCase):
                         continue
                     # Nothing that is given is wrong.
                     off = numpy.abs(found["u"] - factor * values)[inside].max()
-                    self.assertLess(off, (1e-5 if expected == "raised" else 1e-9) * abs(values).max())
+                    self.assertLess(off, 1e-9 * abs(values).max())
                 else:
                     self.assertEqual("stale", expected, heard)
                     remedy = "a conversion would lose" if name in LINEAR else "vtkUnstructuredGridToHighOrderGrid"
@@ -255,8 +255,7 @@ class Pipelines(unittest.TestCase):
                 self.assertGreater((found["Verdict"] == 1).mean(), 0.95)
                 inside = found["Verdict"] == 1
                 off = numpy.abs(found["u"].ravel() - factor * values)[inside].max()
-                # Warp By Vector writes points in single precision.
-                self.assertLess(off, (1e-5 if expected == "raised" else 1e-11) * abs(values).max())
+                self.assertLess(off, 1e-11 * abs(values).max())
             simple.ResetSession()
 
     def test_solver_fields_that_are_changed(self):
