@@ -34,7 +34,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <span>
 
 namespace pixelexact
@@ -358,8 +357,11 @@ private:
       ShareField(Grid, field.name, Followed.grid);
     }
     // A piece that a cut leaves of an element may look like its affine image.
-    const bool areCurved = std::ranges::any_of(std::views::iota(0, Map.Elements()),
-      [this](int e) { return !IsLinearCell(Grid->GetCellType(e)); });
+    bool areCurved = false;
+    for (int e = 0; e < Map.Elements(); ++e)
+    {
+      areCurved = areCurved || !IsLinearCell(Grid->GetCellType(e));
+    }
     if (!isConfirmed && !(IsAffine && areCurved))
     {
       Refuse("the points were moved, and no array of point data shows that the cells are whole");

@@ -178,6 +178,14 @@ std::string LineOf(const NamedText& file, std::size_t line)
 {
   return file.name + ", line " + std::to_string(line) + ": ";
 }
+
+[[noreturn]] void RefuseMissing(
+  const std::string& missing, std::int64_t step, std::int64_t count, const std::string& list)
+{
+  throw InvalidData(missing + " is missing: it is step " + std::to_string(step) + " of the " +
+    std::to_string(count) + " that " + list +
+    " lists; have it in place, or correct filetemplate, firsttimestep and numtimesteps.");
+}
 } // namespace
 
 bool IsStepName(const std::string& path)
@@ -327,9 +335,7 @@ void Series::AddListed(const std::string& file)
     const std::string first = names.Of(0);
     if (!IsFile(first))
     {
-      throw InvalidData(first + " is missing: it is step " + std::to_string(i) + " of the " +
-        std::to_string(series.count) + " that " + file +
-        " lists; have it in place, or correct filetemplate, firsttimestep and numtimesteps.");
+      RefuseMissing(first, i, series.count, file);
     }
     Steps.push_back({ names, first, ReadHeader(first) });
   }

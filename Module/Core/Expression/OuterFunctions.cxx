@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 
 namespace pixelexact
 {
@@ -159,8 +158,9 @@ double OuterFunctions::ErrorOver(const Interval& inner) const
   }
   // The values before and after each function, that of G first.
   std::vector<Interval> values{ inner };
-  for (const auto& [operation, constant] : std::views::reverse(Steps))
+  for (auto step = Steps.rbegin(); step != Steps.rend(); ++step)
   {
+    const auto& [operation, constant] = *step;
     const Interval& x = values.back();
     switch (operation)
     {
