@@ -17,6 +17,7 @@ const Vec3 kPlaces[] = { { -0.7, -0.2, 0.5 }, { 0.1, 0.9, -0.6 }, { 0.3, -0.9, 0
 SolverModel ReadNek(const std::vector<std::string>& parts)
 {
   std::vector<NamedText> files;
+  files.reserve(parts.size());
   for (const std::string& part : parts)
   {
     files.push_back({ "run/x" + std::to_string(files.size()) + ".f00000", part });

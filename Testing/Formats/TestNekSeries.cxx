@@ -14,6 +14,16 @@ namespace
 {
 namespace fs = std::filesystem;
 
+/// A part's number, of two digits, between two texts.
+std::string Numbered(const std::string& before, int part, const std::string& after)
+{
+  std::string name = before;
+  name += part < 10 ? "0" : "";
+  name += std::to_string(part);
+  name += after;
+  return name;
+}
+
 /// A folder of one test.
 class NekSeries : public ::testing::Test
 {
@@ -166,9 +176,8 @@ TEST_F(NekSeries, StepsInParts)
   {
     file.part = part;
     file.numbers = { part + 1 };
-    const std::string number = (part < 10 ? "0" : "") + std::to_string(part);
-    flat.push_back(Write("run1" + number + ".f00001", file.Text()));
-    deep.push_back(Write("A" + number + "/run1" + number + ".f00001", file.Text()));
+    flat.push_back(Write(Numbered("run1", part, ".f00001"), file.Text()));
+    deep.push_back(Write(Numbered("A", part, Numbered("/run1", part, ".f00001")), file.Text()));
   }
   const nek5000::Series listed({ WriteList("run1%02d.f%05d", 1, 1) });
   EXPECT_EQ(listed.FilesOf(0), flat);
