@@ -20,6 +20,18 @@
 // computed at given reference points.
 namespace pixelexact::testing
 {
+/// Points of an element, in xi.
+inline std::vector<Vec3> PlacesIn(Shape shape)
+{
+  std::vector<Vec3> xi;
+  for (const Vec3& eta : { Vec3(0.0), Vec3(-0.7, 0.3, 0.1), Vec3(0.9, -0.8, -0.95),
+         Vec3(0.2, 0.6, 0.7), Vec3(-0.99, -0.99, 0.5) })
+  {
+    xi.push_back(TensorToReference(shape, eta));
+  }
+  return xi;
+}
+
 /// Largest errors: value by the field's range, gradient by range over the element's size, point
 /// (Phi(xi) against x) by the element's size.
 struct OracleErrors

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK's filters do to a solver's grid and is followed: motions against the original map,
 // changed and new arrays against VTK's own interpolation, and what is refused.
-#include "Support.h"
+#include "OracleCheck.h"
 
 #include "Core/Location/Locator.h"
 #include "Core/Location/Sample.h"
@@ -98,17 +98,6 @@ void ExpectRefused(vtkUnstructuredGrid* grid, const std::string& word)
   EXPECT_FALSE(conversion.done);
   EXPECT_NE(conversion.messages->errors.find(word), std::string::npos)
     << conversion.messages->errors << conversion.messages->warnings;
-}
-
-std::vector<Vec3> PlacesIn(Shape shape)
-{
-  std::vector<Vec3> xi;
-  for (const Vec3& eta : { Vec3(0.0), Vec3(-0.7, 0.3, 0.1), Vec3(0.9, -0.8, -0.95),
-         Vec3(0.2, 0.6, 0.7), Vec3(-0.99, -0.99, 0.5) })
-  {
-    xi.push_back(TensorToReference(shape, eta));
-  }
-  return xi;
 }
 
 /// The largest distance of the followed map from move(x, u) of the original one, and whether the

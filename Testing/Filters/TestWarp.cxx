@@ -53,18 +53,6 @@ struct Warping
   }
 };
 
-/// Points of an element, in xi.
-std::vector<Vec3> PlacesIn(Shape shape)
-{
-  std::vector<Vec3> xi;
-  for (const Vec3& eta : { Vec3(0.0), Vec3(-0.7, 0.3, 0.1), Vec3(0.9, -0.8, -0.95),
-         Vec3(0.2, 0.6, 0.7), Vec3(-0.99, -0.99, 0.5) })
-  {
-    xi.push_back(TensorToReference(shape, eta));
-  }
-  return xi;
-}
-
 /// Both models are the same map at points of each element, and have the same values and verdicts
 /// there.
 void ExpectSameShape(const HighOrderModel& a, const HighOrderModel& b, const std::string& field,
