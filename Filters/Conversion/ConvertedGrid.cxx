@@ -41,6 +41,13 @@ bool HoldsAllElements(vtkUnstructuredGrid* grid)
   }
   return true;
 }
+
+/// Whether the expansion under a prefix is a solver's; false where damaged arrays do not say it.
+bool IsFromSolver(vtkUnstructuredGrid* grid, const std::string& prefix)
+{
+  vtkDataArray* origin = grid->GetFieldData()->GetArray((prefix + "Origin").c_str());
+  return origin != nullptr && origin->GetNumberOfValues() > 0 && IsSolvers(OriginOf(grid, prefix));
+}
 } // namespace
 
 void CopyElements(vtkUnstructuredGrid* input, const SourceMesh& mesh, vtkUnstructuredGrid* output)
@@ -82,21 +89,16 @@ bool HasSolverCoefficients(vtkUnstructuredGrid* grid)
   {
     return PacksSolverCoefficients(grid);
   }
-  bool found = false;
-  vtkFieldData* data = grid->GetFieldData();
-  auto look = [&](const std::string& prefix)
-  {
-    vtkDataArray* origin = data->GetArray((prefix + "Origin").c_str());
-    found = found ||
-      (origin && origin->GetNumberOfValues() > 0 &&
-        IsSolvers(static_cast<Origin>(static_cast<int>(origin->GetComponent(0, 0)))));
-  };
-  look(kMeshPrefix);
-  for (const auto& name : StoredFieldNames(grid))
-  {
-    look(kFieldPrefix + name + ".");
-  }
-  return found;
+  const std::vector<std::string> names = StoredFieldNames(grid);
+  return IsFromSolver(grid, kMeshPrefix) ||
+    std::ranges::any_of(names,
+      [grid](const std::string& name) { return IsFromSolver(grid, kFieldPrefix + name + "."); });
+}
+
+bool HasSolverMesh(vtkUnstructuredGrid* grid)
+{
+  return HasHighOrderArrays(grid) &&
+    (IsPacked(grid) ? PacksSolverCoefficients(grid) : IsFromSolver(grid, kMeshPrefix));
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> WithAllElements(vtkUnstructuredGrid* grid)

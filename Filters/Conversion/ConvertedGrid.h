@@ -25,6 +25,9 @@ void CopyElements(vtkUnstructuredGrid* input, const SourceMesh& mesh, vtkUnstruc
 /// values could only lose.
 bool HasSolverCoefficients(vtkUnstructuredGrid* grid);
 
+/// Whether the mesh itself is a solver's. Of packed grids, as HasSolverCoefficients.
+bool HasSolverMesh(vtkUnstructuredGrid* grid);
+
 /// The grid itself where element e is cell e and there are no others, else a copy of which that is
 /// so. The coefficients must fit and not be packed. Throws as HighOrderModel::From.
 vtkSmartPointer<vtkUnstructuredGrid> WithAllElements(vtkUnstructuredGrid* grid);

@@ -424,12 +424,6 @@ bool HasNewPointArrays(vtkUnstructuredGrid* grid)
   return !IsPacked(grid) && !NewPointArrays(grid).empty() && CellsHoldMap(grid);
 }
 
-bool HasSolverMesh(vtkUnstructuredGrid* grid)
-{
-  return HasHighOrderArrays(grid) &&
-    (IsPacked(grid) ? PacksSolverCoefficients(grid) : IsSolvers(OriginOf(grid, kMeshPrefix)));
-}
-
 vtkSmartPointer<vtkUnstructuredGrid> WithNewFields(vtkUnstructuredGrid* grid)
 {
   const auto whole = WithAllElements(grid);

@@ -30,9 +30,6 @@ struct FollowedGrid
   std::vector<std::string> notes; ///< for the user, on what was not kept
 };
 
-/// Whether the grid carries a mesh from a solver's own file, so that FollowGrid takes it.
-[[nodiscard]] bool HasSolverMesh(vtkUnstructuredGrid* grid);
-
 /// Whether the grid, with coefficients that fit, has point arrays that could be fields as well.
 [[nodiscard]] bool HasNewPointArrays(vtkUnstructuredGrid* grid);
 
@@ -40,10 +37,10 @@ struct FollowedGrid
 /// arrays.
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> WithNewFields(vtkUnstructuredGrid* grid);
 
-/// A copy of a grid that carries a solver's mesh, with coefficients that fit its cells and arrays
-/// again. Throws StaleData, with the remedy, for changes that cannot be followed: cells that were
-/// cut, and where the cells are linear and the elements are not, other motions than affine ones and
-/// changed arrays.
+/// A copy of a grid that carries a solver's mesh (HasSolverMesh), with coefficients that fit its
+/// cells and arrays again. Throws StaleData, with the remedy, for changes that cannot be followed:
+/// cells that were cut, and where the cells are linear and the elements are not, other motions than
+/// affine ones and changed arrays.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT FollowedGrid FollowGrid(vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

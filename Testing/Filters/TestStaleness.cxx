@@ -274,6 +274,14 @@ TEST_F(Staleness, DroppedNodalValuesAreFine)
   ExpectInPlace(out);
 }
 
+TEST_F(Staleness, ArraysWithoutAnOriginAreNotFollowed)
+{
+  Grid->GetFieldData()->RemoveArray("PixelExact.Mesh.Origin");
+  Conversion again(Grid); // as of a grid without coefficients
+  EXPECT_EQ(again.messages->errors, "");
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(again.Output()), "");
+}
+
 TEST_F(Staleness, WithoutIdsOnlyAllCellsFit)
 {
   Grid->GetCellData()->RemoveArray("PixelExactElementId");
