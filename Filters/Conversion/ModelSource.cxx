@@ -91,7 +91,13 @@ vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkUnstructuredGrid* grid, v
 vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkCompositeDataSet* data, vtkAlgorithm* owner)
 {
   const auto parts = PartsOf(data);
-  if (std::ranges::all_of(parts, [](const auto& part) { return IsComplete(part.grid); }))
+  std::vector<bool> complete;
+  complete.reserve(parts.size());
+  for (const CompositePart& part : parts)
+  {
+    complete.push_back(IsComplete(part.grid));
+  }
+  if (std::ranges::find(complete, false) == complete.end())
   {
     return nullptr;
   }
@@ -108,7 +114,7 @@ vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkCompositeDataSet* data, v
     const CompositePart& part = parts[next];
     try
     {
-      const auto grid = IsComplete(part.grid)
+      const auto grid = complete[next]
         ? vtkSmartPointer<vtkUnstructuredGrid>(part.grid)
         : ConvertOne(part.grid, this->Kept(next), owner, part.name + ": ");
       converted->SetDataSet(leaf, grid);
