@@ -75,8 +75,8 @@ class Expressions(ToolTest):
                 "render", TORUS, "--field", text, "--plane", "0,0,0.05,0,0,1",
                 "--contours", ",".join(map(str, values)), "--size", f"{pixels}x{pixels}",
                 "--output", self.folder / "a.png", "--buffers", buffers)
-            told = found["contours"]["pixels"]
-            self.assertLess(told["undecided"], 0.005 * pixels * pixels, text)
+            counts = found["contours"]["pixels"]
+            self.assertLess(counts["undecided"], 0.005 * pixels * pixels, text)
             read = read_buffers(buffers)
             verdict = read["Contour"].reshape(pixels, pixels)
             exact = (read["Verdict"] == 1).reshape(pixels, pixels)

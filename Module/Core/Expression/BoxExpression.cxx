@@ -21,7 +21,6 @@ AffineForm FormOfDefined(const BoxValue& value)
   }
   return form;
 }
-
 } // namespace
 
 BoxExpression::BoxExpression(std::shared_ptr<const NodeList> list,

@@ -226,7 +226,7 @@ void BoxLeaves::NeedJet(const Vec3& coordinateErrors)
   }
 }
 
-BoxLeaves::Work BoxLeaves::WorkOf(int level) const
+ElementJet::Work BoxLeaves::WorkOf(int level) const
 {
   // Sums and products of Evaluate.
   constexpr std::int64_t kOfInverse = 60;
@@ -240,7 +240,7 @@ BoxLeaves::Work BoxLeaves::WorkOf(int level) const
     const PieceForm& form = PieceForm::Of(modes.space, level);
     return count * static_cast<std::int64_t>(form.Size()) * (1 + std::ranges::max(form.Degree()));
   };
-  Work work;
+  ElementJet::Work work;
   for (const RangeIngredient& ingredient : Ingredients)
   {
     work.terms += termsOf(*ingredient.modes, 1);

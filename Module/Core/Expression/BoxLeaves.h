@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/HessianFunction.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Expression/BoxValue.h"
@@ -36,14 +37,8 @@ public:
   [[nodiscard]] int Level() const { return level_; }
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
     int level, const PieceForm::Piece& piece, const Box3& within) const;
-  /// An estimate of the work of one box: the coefficients of the polynomials times their numbers
-  /// along a direction, and the operations of Evaluate.
-  struct Work
-  {
-    std::int64_t terms = 0;
-    std::int64_t operations = 0;
-  };
-  [[nodiscard]] Work WorkOf(int level) const;
+  /// An estimate of the work of one box, with the operations of Evaluate.
+  [[nodiscard]] ElementJet::Work WorkOf(int level) const;
   /// `polynomials`: enclosures of Polynomials, in their order. Writes one value for each leaf, and
   /// d Phi / d xi in world units, row-major, to `jacobian` if given.
   void Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
