@@ -10,10 +10,6 @@
 
 namespace pixelexact
 {
-namespace
-{
-constexpr const char* kWith = "--with";
-} // namespace
 
 void DifferenceOptions::AddTo(CLI::App& command)
 {
