@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Integral/ChebyshevModel.h"
+#include "Core/Bernstein/ChebyshevModel.h"
 
 #include <array>
 #include <optional>

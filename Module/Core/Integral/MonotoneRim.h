@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Bernstein/BoxPolynomial.h"
-#include "Core/Integral/ChebyshevModel.h"
+#include "Core/Bernstein/ChebyshevModel.h"
 
 #include <cstdint>
 #include <functional>

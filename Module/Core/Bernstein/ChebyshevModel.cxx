@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Integral/ChebyshevModel.h"
+#include "Core/Bernstein/ChebyshevModel.h"
 
-#include "Core/Integral/ChebyshevBasis.h"
+#include "Core/Bernstein/ChebyshevBasis.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>

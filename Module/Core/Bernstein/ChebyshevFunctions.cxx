@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Integral/ChebyshevModel.h"
+#include "Core/Bernstein/ChebyshevModel.h"
 #include "Core/Math/Rounding.h"
 
 #include <cmath>

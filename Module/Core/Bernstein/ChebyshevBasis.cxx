@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Integral/ChebyshevBasis.h"
+#include "Core/Bernstein/ChebyshevBasis.h"
 
 #include <algorithm>
 #include <cmath>
