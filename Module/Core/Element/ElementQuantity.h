@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Bernstein/ChebyshevModel.h"
 #include "Core/Bernstein/PieceForm.h"
 #include "Core/Bernstein/RangeSearch.h"
 #include "Core/Math/Vec.h"
@@ -28,6 +29,29 @@ public:
   /// The polynomials over the part `within`, in its own [-1, 1]^3, of a piece.
   [[nodiscard]] virtual std::vector<BoxPolynomial> Polynomials(
     const PieceForm::Piece& piece, const Box3& within) const = 0;
+};
+
+/// The components of a function on one element, as functions of polynomials in eta: what integrals
+/// over surfaces need of a function without coefficients. Safe to use from several threads.
+class ElementModels
+{
+public:
+  virtual ~ElementModels() = default;
+
+  /// False where a coefficient is NaN or infinite. The other functions must not be called then.
+  [[nodiscard]] virtual bool IsFinite() const = 0;
+  /// The lowest level on which the conversion of the polynomials is accurate.
+  [[nodiscard]] virtual int Level() const = 0;
+  /// These polynomials in eta over a piece of the cube.
+  [[nodiscard]] virtual std::vector<BoxPolynomial> Polynomials(
+    int level, const PieceForm::Piece& piece) const = 0;
+  /// The components on a piece of a surface, from models of the polynomials, in their order. The
+  /// error of a model is infinite where a component may be undefined or has no bound.
+  [[nodiscard]] virtual std::vector<ChebyshevModel> Over(
+    std::span<const ChebyshevModel> polynomials) const = 0;
+  /// The range of each component over a box, from the polynomials over it.
+  [[nodiscard]] virtual std::vector<Interval> Ranges(
+    std::span<const BoxPolynomial> polynomials) const = 0;
 };
 
 /// Bounds of a scalar and of its gradient over a box: with d = xi - the box's middle, |d_k| <=

@@ -3,12 +3,14 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Vec.h"
+#include "Core/Shape/Shape.h"
 
 #include <memory>
 
 namespace pixelexact
 {
 class ElementJet;
+class ElementModels;
 class ElementQuantity;
 struct Mesh;
 
@@ -75,6 +77,13 @@ public:
   /// bounds of the distances of points from the images of their xi, in world units.
   [[nodiscard]] virtual std::unique_ptr<ElementJet> JetOnElement(
     const Mesh& mesh, int element, int component, const Vec3& coordinateErrors) const = 0;
+  /// Returns whether ModelsOnElement gives models on elements of a shape. Functions with normals or
+  /// jumps have none, nor have second derivatives where eta is collapsed.
+  [[nodiscard]] virtual bool HasModels(Shape shape) const = 0;
+  /// All components over boxes of an element's eta and on surfaces in it. Null where there are
+  /// none. The mesh's arrays must outlive it.
+  [[nodiscard]] virtual std::unique_ptr<ElementModels> ModelsOnElement(
+    const Mesh& mesh, int element) const = 0;
   /// The value of JetOnElement's scalar where the component, or the norm, has this value.
   [[nodiscard]] virtual double JetValue(int component, double value) const = 0;
 };

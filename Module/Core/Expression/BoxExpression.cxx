@@ -2,6 +2,7 @@
 #include "Core/Expression/BoxExpression.h"
 
 #include "Core/Element/LaneBuffer.h"
+#include "Core/Expression/ModelValue.h"
 
 #include <algorithm>
 #include <iterator>
@@ -21,6 +22,31 @@ AffineForm FormOfDefined(const BoxValue& value)
   }
   return form;
 }
+
+/// The wanted nodes, from enclosures of the polynomials of the leaves.
+template <class T, class Apply>
+std::vector<T> OutputsOf(const NodeList& list, const BoxLeaves& boxLeaves,
+  std::span<const T> polynomials, const Apply& apply)
+{
+  std::vector<T> leaves(list.leaves.size());
+  boxLeaves.Evaluate<T>(polynomials, leaves);
+  std::vector<T> values;
+  list.Compute([&](std::size_t k) { return leaves[k]; }, apply, values);
+  std::vector<T> outputs;
+  std::ranges::transform(
+    list.outputs, std::back_inserter(outputs), [&](std::size_t place) { return values[place]; });
+  return outputs;
+}
+
+std::vector<BoxValue> BoxValuesOf(std::span<const BoxPolynomial> polynomials)
+{
+  std::vector<BoxValue> values;
+  for (const BoxPolynomial& polynomial : polynomials)
+  {
+    values.emplace_back(polynomial.Affine(), KnownInterval{ polynomial.Hull(), false });
+  }
+  return values;
+}
 } // namespace
 
 BoxExpression::BoxExpression(std::shared_ptr<const NodeList> list,
@@ -33,24 +59,14 @@ BoxExpression::BoxExpression(std::shared_ptr<const NodeList> list,
 
 BoxValue BoxExpression::ValueWith(std::span<const BoxValue> polynomials) const
 {
-  std::vector<BoxValue> leaves(List->leaves.size());
-  Leaves.Evaluate(polynomials, leaves);
-  std::vector<BoxValue> values;
-  List->Compute([&](std::size_t k) { return leaves[k]; }, ApplyToBoxes, values);
-  std::vector<BoxValue> outputs;
-  std::ranges::transform(
-    List->outputs, std::back_inserter(outputs), [&](std::size_t place) { return values[place]; });
+  const std::vector<BoxValue> outputs =
+    OutputsOf<BoxValue>(*List, Leaves, polynomials, ApplyToBoxes);
   return outputs.size() == 1 ? outputs.front() : NormOf(outputs);
 }
 
 Interval BoxExpression::Enclose(std::span<const BoxPolynomial> polynomials) const
 {
-  std::vector<BoxValue> values;
-  for (const BoxPolynomial& polynomial : polynomials)
-  {
-    values.emplace_back(polynomial.Affine(), KnownInterval{ polynomial.Hull(), false });
-  }
-  return ValueWith(values).Range();
+  return ValueWith(BoxValuesOf(polynomials)).Range();
 }
 
 Interval BoxExpression::AtCorner(std::span<const BoxPolynomial> polynomials, unsigned corner) const
@@ -61,6 +77,34 @@ Interval BoxExpression::AtCorner(std::span<const BoxPolynomial> polynomials, uns
     values.emplace_back(KnownInterval{ polynomial.AtCorner(corner), false });
   }
   return ValueWith(values).Range();
+}
+
+ExpressionModels::ExpressionModels(std::shared_ptr<const NodeList> list,
+  std::span<const Field* const> fields, std::span<const std::int64_t> numbers, const Mesh& mesh,
+  int element)
+  : List(std::move(list))
+  , Leaves(List->leaves, fields, numbers, mesh, element)
+{
+}
+
+std::vector<ChebyshevModel> ExpressionModels::Over(
+  std::span<const ChebyshevModel> polynomials) const
+{
+  const std::vector<ModelValue> values(polynomials.begin(), polynomials.end());
+  const std::vector<ModelValue> outputs =
+    OutputsOf<ModelValue>(*List, Leaves, values, ApplyToModels);
+  std::vector<ChebyshevModel> models;
+  std::ranges::transform(outputs, std::back_inserter(models), &ModelValue::model);
+  return models;
+}
+
+std::vector<Interval> ExpressionModels::Ranges(std::span<const BoxPolynomial> polynomials) const
+{
+  const std::vector<BoxValue> outputs =
+    OutputsOf<BoxValue>(*List, Leaves, BoxValuesOf(polynomials), ApplyToBoxes);
+  std::vector<Interval> ranges;
+  std::ranges::transform(outputs, std::back_inserter(ranges), &BoxValue::Range);
+  return ranges;
 }
 
 BoxJet::BoxJet(std::shared_ptr<const NodeList> list, const CompiledGraph& code,
@@ -92,7 +136,7 @@ JetBounds BoxJet::Over(std::span<const AffineForm> forms, std::span<const Interv
   }
   std::vector<BoxValue> leaves(List->leaves.size());
   std::array<BoxValue, 9> map;
-  Leaves.Evaluate(polynomials, leaves, &map);
+  Leaves.Evaluate<BoxValue>(polynomials, leaves, &map);
   std::vector<BoxValue> nodes;
   List->Compute([&](std::size_t k) { return leaves[k]; }, ApplyToBoxes, nodes);
   const auto output = [&](std::size_t k) -> const BoxValue& { return nodes[List->outputs[k]]; };

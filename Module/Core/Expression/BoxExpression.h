@@ -45,7 +45,32 @@ private:
   BoxLeaves Leaves;
 };
 
-/// The same with the gradient.
+/// Several nodes of a graph on one element, for integrals.
+class ExpressionModels final : public ElementModels
+{
+public:
+  /// What is referred to must outlive it.
+  ExpressionModels(std::shared_ptr<const NodeList> list, std::span<const Field* const> fields,
+    std::span<const std::int64_t> numbers, const Mesh& mesh, int element);
+
+  [[nodiscard]] bool IsFinite() const override { return Leaves.IsFinite(); }
+  [[nodiscard]] int Level() const override { return Leaves.Level(); }
+  [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
+    int level, const PieceForm::Piece& piece) const override
+  {
+    return Leaves.Polynomials(level, piece, { Vec3(-1.0), Vec3(1.0) });
+  }
+  [[nodiscard]] std::vector<ChebyshevModel> Over(
+    std::span<const ChebyshevModel> polynomials) const override;
+  [[nodiscard]] std::vector<Interval> Ranges(
+    std::span<const BoxPolynomial> polynomials) const override;
+
+private:
+  std::shared_ptr<const NodeList> List;
+  BoxLeaves Leaves;
+};
+
+/// A node with its gradient.
 class BoxJet final : public ElementJet
 {
 public:

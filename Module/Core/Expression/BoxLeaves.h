@@ -39,10 +39,11 @@ public:
     int level, const PieceForm::Piece& piece, const Box3& within) const;
   /// An estimate of the work of one box, with the operations of Evaluate.
   [[nodiscard]] ElementJet::Work WorkOf(int level) const;
-  /// `polynomials`: enclosures of Polynomials, in their order. Writes one value for each leaf, and
-  /// d Phi / d xi in world units, row-major, to `jacobian` if given.
-  void Evaluate(std::span<const BoxValue> polynomials, std::span<BoxValue> leaves,
-    std::array<BoxValue, 9>* jacobian = nullptr) const;
+  /// `polynomials`: enclosures of Polynomials, in their order, as BoxValue or ModelValue. Writes
+  /// one value for each leaf, and d Phi / d xi in world units, row-major, to `jacobian` if given.
+  template <class T>
+  void Evaluate(std::span<const T> polynomials, std::span<T> leaves,
+    std::array<T, 9>* jacobian = nullptr) const;
 
   /// Requests the Jacobian and bounds of rounding; Evaluate then includes the rounding errors of
   /// the kernels' values of the polynomials. `coordinateErrors`: see FieldFunction.
@@ -69,24 +70,31 @@ private:
     std::unique_ptr<const ScaledModes> modes; ///< null: the field is not needed
     std::vector<Places> components;
   };
+  template <class T>
   struct Products;
+  template <class T>
   struct FieldDerivatives;
   void Need(const Graph::Node& leaf);
   void NeedJacobian();
   void Choose(const ScaledModes& modes, int component, bool slopes, Places& places);
   [[nodiscard]] double UnitOfMap() const;
-  [[nodiscard]] Products ProductsOf(std::span<const BoxValue> p) const;
-  [[nodiscard]] BoxValue LeafOf(
-    const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
-  [[nodiscard]] BoxValue FieldValue(
-    const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
-  [[nodiscard]] BoxValue FieldDerivative(
-    const Graph::Node& leaf, std::span<const BoxValue> p, const Products& products) const;
+  template <class T>
+  [[nodiscard]] Products<T> ProductsOf(std::span<const T> p) const;
+  template <class T>
+  [[nodiscard]] T LeafOf(
+    const Graph::Node& leaf, std::span<const T> p, const Products<T>& products) const;
+  template <class T>
+  [[nodiscard]] T FieldValue(
+    const Graph::Node& leaf, std::span<const T> p, const Products<T>& products) const;
+  template <class T>
+  [[nodiscard]] T FieldDerivative(
+    const Graph::Node& leaf, std::span<const T> p, const Products<T>& products) const;
   template <class Visit>
   void ForEachDifferentiated(const Visit& visit) const;
-  [[nodiscard]] static FieldDerivatives DerivativesOf(const Products& products,
-    std::span<const BoxValue> slopes, const std::array<BoxValue, 6>& seconds,
-    std::span<const BoxValue> thirds, const Places& places);
+  template <class T>
+  [[nodiscard]] static FieldDerivatives<T> DerivativesOf(const Products<T>& products,
+    std::span<const T> slopes, const std::array<T, 6>& seconds, std::span<const T> thirds,
+    const Places& places);
 
   std::vector<Graph::Node> Leaves;
   Mesh mesh_;

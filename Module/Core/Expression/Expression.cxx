@@ -104,6 +104,21 @@ public:
       jet.list, *jet.code, jet.outer, Fields, Numbers, mesh, element, coordinateErrors);
   }
 
+  [[nodiscard]] bool HasModels(Shape shape) const override
+  {
+    const bool hasSeconds = std::ranges::any_of(
+      All->leaves, [](const Graph::Node& leaf) { return leaf.operation == Operation::Curvature; });
+    return !NeedsNormals() && !NeedsNeighbours() && (!hasSeconds || shape == Shape::Hexahedron);
+  }
+
+  [[nodiscard]] std::unique_ptr<ElementModels> ModelsOnElement(
+    const Mesh& mesh, int element) const override
+  {
+    return HasModels(mesh.ShapeOf(element))
+      ? std::make_unique<ExpressionModels>(All, Fields, Numbers, mesh, element)
+      : nullptr;
+  }
+
   [[nodiscard]] double JetValue(int component, double value) const override
   {
     return HasJets() ? JetOf(component).outer.Invert(value) : value;
@@ -234,7 +249,7 @@ private:
   std::optional<CompiledGraph> Values;
   std::optional<IntervalProgram> Bounds;
   std::vector<std::shared_ptr<const NodeList>> OfComponent; ///< for OnElement
-  std::shared_ptr<const NodeList> All;
+  std::shared_ptr<const NodeList> All;                      ///< for OnElement and ModelsOnElement
   // Computed on first use.
   mutable tbb::collaborative_once_flag Differentiated;
   mutable Graph Scalars;
