@@ -101,7 +101,7 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
   if (found.isNumeric)
   {
     doubts.emplace_back(
-      "the field is an expression: its integrals are numeric, their errors estimates from samples");
+      "the field has jumps or second derivatives: its integrals are numeric, the errors are estimates");
   }
   if (!found.met)
   {

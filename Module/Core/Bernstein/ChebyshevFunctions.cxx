@@ -2,6 +2,7 @@
 #include "Core/Bernstein/ChebyshevModel.h"
 #include "Core/Math/Rounding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -90,5 +91,14 @@ void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along)
       along[1] += size * j;
     }
   }
+}
+
+bool IsRange(const ChebyshevModel& model)
+{
+  constexpr double kRounding = 1e-10;
+  const double size = model.Norm();
+  std::array<double, 2> along{ 0.0, 0.0 };
+  AddRoughness(model, along);
+  return model.error > size * std::max(along[0] + along[1], kRounding);
 }
 } // namespace pixelexact

@@ -32,9 +32,10 @@ BoxRanges::BoxRanges(ElementFunctions& functions, const PieceBox& box)
 
 Interval FieldRange(ElementFunctions& functions, const PieceBox& box, int component)
 {
+  const std::vector<Interval> ranges = functions.ValueRanges(box);
   const auto values = [&](int c)
   {
-    return functions.Values(box, c, box).Hull() *
+    return ranges[static_cast<std::size_t>(c)] *
       Interval(std::ldexp(1.0, functions.FieldExponent()));
   };
   const Mapping mapping = functions.Question().field->mapping;
@@ -42,18 +43,18 @@ Interval FieldRange(ElementFunctions& functions, const PieceBox& box, int compon
   {
     return values(component);
   }
-  const BoxRanges ranges(functions, box);
+  const BoxRanges map(functions, box);
   if (mapping == Mapping::Density)
   {
-    return values(component) / ranges.determinant;
+    return values(component) / map.determinant;
   }
-  const auto& matrix = mapping == Mapping::Contravariant ? ranges.jacobian : ranges.cofactor;
+  const auto& matrix = mapping == Mapping::Contravariant ? map.jacobian : map.cofactor;
   Interval sum = 0.0;
   for (int d = 0; d < 3; ++d)
   {
     sum += matrix[static_cast<std::size_t>(component)][static_cast<std::size_t>(d)] * values(d);
   }
-  return sum / ranges.determinant;
+  return sum / map.determinant;
 }
 
 std::array<Interval, 3> PlaceRange(

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -46,14 +47,16 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   const Field* const ofCut = question.cut != nullptr ? question.cut->MadeOf() : nullptr;
   if (question.field != nullptr)
   {
-    Modes = question.field->function != nullptr ? nullptr : modesOf(question.field->values);
+    const FieldFunction* const function = question.field->function.get();
+    Function = function != nullptr ? function->ModelsOnElement(question.mesh, element) : nullptr;
+    Modes = function != nullptr ? nullptr : modesOf(question.field->values);
   }
   if (ofCut != nullptr)
   {
     CutModes = modesOf(ofCut->values);
   }
-  Finite =
-    Map.finite && (Modes == nullptr || Modes->finite) && (CutModes == nullptr || CutModes->finite);
+  Finite = Map.finite && (Modes == nullptr || Modes->finite) &&
+    (Function == nullptr || Function->IsFinite()) && (CutModes == nullptr || CutModes->finite);
   if (!Finite)
   {
     return;
@@ -82,7 +85,7 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
     AddDerivatives(*CutModes, 0, ofCut->values.components, all);
   }
   TooHigh = TooHigh || (question.cut != nullptr && question.cut->Factor() * degree > kMaxDegree);
-  level_ = LevelFor(all);
+  level_ = std::max(LevelFor(all), Function != nullptr ? Function->Level() : 0);
   Made.resize(FirstOfCut +
     (ofCut != nullptr ? kOfComponent * static_cast<std::size_t>(ofCut->values.components) : 0));
 }
@@ -130,7 +133,7 @@ Interval ElementFunctions::HalfWidth(const PieceBox& box, int direction) const
     Interval(0.5 / (1 << level_));
 }
 
-const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::size_t function)
+void ElementFunctions::Enter(const PieceForm::Piece& piece)
 {
   if (piece != At)
   {
@@ -138,8 +141,14 @@ const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::
     {
       one = {};
     }
+    MadeOfFunction.clear();
     At = piece;
   }
+}
+
+const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::size_t function)
+{
+  Enter(piece);
   BoxPolynomial& made = Made[function];
   if (!made.b.empty())
   {
@@ -265,13 +274,56 @@ BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component
   return polynomial;
 }
 
-BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component, const PieceBox& places)
+BoxPolynomial ElementFunctions::ValuesOver(const PieceBox& box, int component)
 {
-  if (Modes == nullptr)
+  return Modes == nullptr
+    ? SampledValues(box, component)
+    : Restricted(Over(box.piece, kValues + static_cast<std::size_t>(component)), box);
+}
+
+std::vector<BoxPolynomial> ElementFunctions::OfFunction(const PieceBox& box)
+{
+  Enter(box.piece);
+  if (MadeOfFunction.empty())
   {
-    return SampledValues(places, component);
+    MadeOfFunction = Function->Polynomials(level_, box.piece);
   }
-  return Restricted(Over(box.piece, kValues + static_cast<std::size_t>(component)), box);
+  std::vector<BoxPolynomial> restricted;
+  std::ranges::transform(MadeOfFunction, std::back_inserter(restricted),
+    [&box](const BoxPolynomial& over) { return Restricted(over, box); });
+  return restricted;
+}
+
+std::vector<ChebyshevModel> ElementFunctions::Values(const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place, const PieceBox& places)
+{
+  const auto modelOf = [&](const BoxPolynomial& polynomial)
+  { return place.Of(BoxModel(polynomial, axes, place.IsWideB())); };
+  std::vector<ChebyshevModel> models;
+  if (Function != nullptr)
+  {
+    std::ranges::transform(OfFunction(box), std::back_inserter(models), modelOf);
+    return Function->Over(models);
+  }
+  for (int c = 0; c < question_.Components(); ++c)
+  {
+    models.push_back(modelOf(ValuesOver(Modes != nullptr ? box : places, c)));
+  }
+  return models;
+}
+
+std::vector<Interval> ElementFunctions::ValueRanges(const PieceBox& box)
+{
+  if (Function != nullptr)
+  {
+    return Function->Ranges(OfFunction(box));
+  }
+  std::vector<Interval> ranges;
+  for (int c = 0; c < question_.Components(); ++c)
+  {
+    ranges.push_back(ValuesOver(box, c).Hull());
+  }
+  return ranges;
 }
 
 BoxPolynomial ElementFunctions::Clip(const PieceBox& box, std::size_t clip)

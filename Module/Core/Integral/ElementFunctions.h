@@ -2,9 +2,12 @@
 #pragma once
 
 #include "Core/Contour/ElementPolynomial.h"
+#include "Core/Element/ElementQuantity.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Element/RangeIngredients.h"
+#include "Core/Integral/BoxModel.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -72,9 +75,14 @@ public:
   [[nodiscard]] double Radius() const { return radius_; }
   /// The derivative of a component of the map by a xi.
   BoxPolynomial Slope(const PieceBox& box, int component, int xi);
-  /// A component of the field's own values, over 2^FieldExponent(). A function without coefficients
-  /// is interpolated in `places`, the part of the box that counts; its error is an estimate.
-  BoxPolynomial Values(const PieceBox& box, int component, const PieceBox& places);
+  /// The components of the field's own values on a surface in a box, over 2^FieldExponent().
+  /// `axes`: the box's directions of a, b and c in PointedModels. `places`: the part of the box
+  /// that holds the surface; a function without coefficients and without models
+  /// (FieldFunction::HasModels) is interpolated there, and its error is an estimate.
+  std::vector<ChebyshevModel> Values(const PieceBox& box, const std::array<int, 3>& axes,
+    const PointedModels& place, const PieceBox& places);
+  /// Their ranges over a box.
+  std::vector<Interval> ValueRanges(const PieceBox& box);
   [[nodiscard]] int FieldExponent() const;
 
   /// The value of z = x - origin where y is zero.
@@ -95,7 +103,13 @@ public:
   [[nodiscard]] int Element() const { return element_; }
 
 private:
+  /// A component of the field over a box; of a function, interpolated.
+  BoxPolynomial ValuesOver(const PieceBox& box, int component);
   [[nodiscard]] BoxPolynomial SampledValues(const PieceBox& box, int component) const;
+  /// The polynomials of the function's models over a box.
+  std::vector<BoxPolynomial> OfFunction(const PieceBox& box);
+  /// Drops what is kept for another piece.
+  void Enter(const PieceForm::Piece& piece);
   /// A function over a whole piece, computed on first use and kept for one piece at a time.
   const BoxPolynomial& Over(const PieceForm::Piece& piece, std::size_t function);
 
@@ -103,6 +117,7 @@ private:
   int element_;
   ScaledModes Map;
   std::unique_ptr<const ScaledModes> Modes;
+  std::unique_ptr<const ElementModels> Function;
   std::unique_ptr<const ScaledModes> CutModes;
   std::size_t FirstOfCut;
   int level_ = 0;
@@ -112,5 +127,6 @@ private:
   bool TooHigh = false;
   PieceForm::Piece At{ -1, -1, -1 };
   std::vector<BoxPolynomial> Made;
+  std::vector<BoxPolynomial> MadeOfFunction; ///< over the same piece; empty: not yet
 };
 } // namespace pixelexact

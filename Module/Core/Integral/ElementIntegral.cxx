@@ -292,6 +292,7 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
   std::vector<double> magnitudes(Question.Quantities());
   bool resolved = found.decided;
   int direction = -1;
+  bool anyRange = false;
   for (std::size_t g = 0; g < found.graphs.size() && resolved; ++g)
   {
     const auto part = Integrate(functions, found.graphs[g]);
@@ -300,6 +301,7 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
     {
       AddTo(sums, part->sums);
       direction = part->roughest;
+      anyRange = anyRange || part->anyRange;
       for (std::size_t q = 0; q < magnitudes.size(); ++q)
       {
         magnitudes[q] += part->magnitudes[q];
@@ -325,8 +327,8 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
       return;
     }
     const bool wide = found.box.upper[direction] - found.box.lower[direction] > kSmallestBox;
-    Parts.push_back(
-      { found.box, sums, magnitudes, wide ? direction : LongestSide(functions, found.box), true });
+    Parts.push_back({ found.box, sums, magnitudes,
+      wide ? direction : LongestSide(functions, found.box), true, anyRange });
   }
   else if (!found.rest.empty())
   {
@@ -402,8 +404,8 @@ bool ElementIntegral::Refine(
       after += badness(Parts[k].sums);
       resolved = resolved && Parts[k].resolved;
     }
-    // Rims of clips gain in another direction than the surface does.
-    if (resolved && std::isfinite(bad) && Question.clips.empty())
+    // Rims of clips gain in another direction than the surface does, and kinks need two directions.
+    if (resolved && std::isfinite(bad) && Question.clips.empty() && !part.anyRange)
     {
       NoteGain(first, part.stalled, bad, after);
     }

@@ -43,7 +43,8 @@ private:
     std::vector<double> magnitudes; ///< about the integrals of the magnitudes; 0 where unknown
     int direction = -1;             ///< of the subdivision; -1: too small
     bool resolved = false;
-    int stalled = 0; ///< subdivisions in a row that gained nothing
+    bool anyRange = false; ///< of the integrands: see IsRange
+    int stalled = 0;       ///< subdivisions in a row that gained nothing
   };
   void Look(ElementFunctions& functions, const PieceBox& box);
   /// `direction`: as in Part.

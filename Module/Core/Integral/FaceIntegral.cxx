@@ -107,12 +107,14 @@ public:
       AddVariation(square, rough);
     }
     const ChebyshevModel area = length * collapse;
+    bool anyRange = !clipped;
     const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& scale)
     {
       if (!vanishes)
       {
         AddRoughness(density, rough);
       }
+      anyRange = anyRange || IsRange(density);
       part.sums[q] = (clipped ? clipped->Integral(density) : PartOf(density)) * scale;
       // Where the clips are undecided, half of the part is assumed to count.
       const double share = clipped ? clipped->Part() : 0.5;
@@ -124,7 +126,7 @@ public:
     part.sums[0].lower = std::max(part.sums[0].lower, 0.0);
     if (question.field == nullptr)
     {
-      part.direction = Roughest(part, clipped ? rough : std::array<double, 2>{}, box, !clipped);
+      part.direction = Roughest(part, rough, box, anyRange);
       return part;
     }
     const Interval scale = unit * Interval(std::ldexp(1.0, Functions.FieldExponent()));
@@ -149,7 +151,7 @@ public:
       const ChebyshevModel flux = Dot({ values[0], values[1], values[2] }, normal) * collapse;
       add(part.sums.size() - 1, flux, scale);
     }
-    part.direction = Roughest(part, clipped ? rough : std::array<double, 2>{}, box, !clipped);
+    part.direction = Roughest(part, rough, box, anyRange);
     return part;
   }
 

@@ -120,7 +120,7 @@ public:
     if (part->IsEmpty())
     {
       const std::size_t quantities = Functions.Question().Quantities();
-      return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0] };
+      return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0], false };
     }
     SurfaceModels models(Functions, Graph.box, axes, place, Graph.box);
     const Interval slopes = slope.Range();
@@ -240,6 +240,7 @@ private:
     const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& unit)
     {
       AddRoughness(density, rough);
+      result.anyRange = result.anyRange || IsRange(density);
       result.sums[q] = part.Integral(density) * unit;
       // The integral of a model of degree 0 is four times its value.
       result.magnitudes[q] = 4.0 * share * density.Norm() * unit.Magnitude();
@@ -262,7 +263,10 @@ private:
         add(result.sums.size() - 1, orientation * (normal * weight), unit);
       }
     }
-    result.roughest = rough[1] > rough[0] ? Graph.axes[1] : Graph.axes[0];
+    const auto width = [this](int d) { return Functions.HalfWidth(Graph.box, d).upper; };
+    const bool second =
+      result.anyRange ? width(Graph.axes[1]) > width(Graph.axes[0]) : rough[1] > rough[0];
+    result.roughest = Graph.axes[second ? 1 : 0];
     return result;
   }
 

@@ -14,6 +14,7 @@ struct GraphSums
   Sums sums;
   std::vector<double> magnitudes; ///< about the integrals of the magnitudes
   int roughest = 0;               ///< a direction of eta
+  bool anyRange = false;          ///< of the integrands: see IsRange
 };
 
 /// The integrals over a graph; none where its models do not converge on so large a box, or the sign

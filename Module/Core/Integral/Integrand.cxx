@@ -15,10 +15,7 @@ SurfaceModels::SurfaceModels(ElementFunctions& functions, const PieceBox& box,
     }
   }
   determinant = Dot(jacobian[0], Cofactors(jacobian, 0));
-  for (int c = 0; c < functions.Question().Components(); ++c)
-  {
-    field.push_back(place.Of(BoxModel(functions.Values(box, c, places), axes, place.IsWideB())));
-  }
+  field = functions.Values(box, axes, place, places);
 }
 
 std::array<ChebyshevModel, 3> Cofactors(

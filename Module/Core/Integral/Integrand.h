@@ -15,8 +15,7 @@ namespace pixelexact
 /// those of the modes: x = centre + radius y, u = 2^FieldExponent() times these values.
 struct SurfaceModels
 {
-  /// `axes`: the directions of a, b and c in PointedModels. `places`: the part of the box that
-  /// holds `place`, in which a function without coefficients is interpolated.
+  /// `axes` and `places`: as in ElementFunctions::Values.
   SurfaceModels(ElementFunctions& functions, const PieceBox& box, const std::array<int, 3>& axes,
     const PointedModels& place, const PieceBox& places);
 

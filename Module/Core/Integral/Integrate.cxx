@@ -2,6 +2,7 @@
 #include "Core/Integral/Integrate.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Element/FieldFunction.h"
 #include "Core/Element/Validity.h"
 #include "Core/Faces/ReferenceFace.h"
 #include "Core/Integral/FaceSums.h"
@@ -70,6 +71,23 @@ void CheckSizes(const IntegralQuestion& question)
 
 bool IsNumeric(const IntegralQuestion& question)
 {
+  if (question.field == nullptr || question.field->function == nullptr)
+  {
+    return false;
+  }
+  const FieldFunction& function = *question.field->function;
+  for (int e = 0; e < question.mesh.Elements(); ++e)
+  {
+    if (!function.HasModels(question.mesh.ShapeOf(e)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool IsFunction(const IntegralQuestion& question)
+{
   return question.field != nullptr && question.field->function != nullptr;
 }
 
@@ -77,7 +95,7 @@ bool IsNumeric(const IntegralQuestion& question)
 double SecondsFor(const IntegralQuestion& question, const IntegralEffort& effort)
 {
   constexpr double kOfFunctions = 60.0;
-  return IsNumeric(question) ? std::min(effort.seconds, kOfFunctions) : effort.seconds;
+  return IsFunction(question) ? std::min(effort.seconds, kOfFunctions) : effort.seconds;
 }
 
 /// Whether a face lies in the surface and belongs to this element's integral.

@@ -41,7 +41,8 @@ struct SurfaceIntegral
   std::int64_t notValid = 0;  ///< elements that meet, whose det J > 0 is not proven
   std::int64_t covered = 0;   ///< faces of a boundary with other elements behind a part of them
   bool timeIsOver = false;
-  /// The field is a function without coefficients: bounds of all but the area are estimates.
+  /// The field is a function without models (FieldFunction::HasModels): bounds of all but the area
+  /// are estimates.
   bool isNumeric = false;
 };
 
