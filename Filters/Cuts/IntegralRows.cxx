@@ -100,8 +100,8 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
   }
   if (found.isNumeric)
   {
-    doubts.emplace_back(
-      "the field has jumps or second derivatives: its integrals are numeric, the errors are estimates");
+    doubts.emplace_back("the field has jumps or second derivatives: its integrals are numeric, "
+                        "the errors are estimates");
   }
   if (!found.met)
   {

@@ -81,7 +81,7 @@ ChebyshevModel SquareRoot(const ChebyshevModel& f);
 /// Adds the share of the model's highest terms along each variable. Subdivision along a variable
 /// with a larger share gains more.
 void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along);
-/// Whether the model's error exceeds what its highest terms explain: at kinks and steps, where only
-/// the size of a square tells along which variable its subdivision gains most.
+/// Whether the model's error exceeds what its highest terms explain, as at kinks and steps. The
+/// longest side is then the best one to subdivide.
 [[nodiscard]] bool IsRange(const ChebyshevModel& model);
 } // namespace pixelexact

@@ -49,7 +49,7 @@ private:
 class ExpressionModels final : public ElementModels
 {
 public:
-  /// What is referred to must outlive it.
+  /// The fields, the numbers and the mesh must outlive it.
   ExpressionModels(std::shared_ptr<const NodeList> list, std::span<const Field* const> fields,
     std::span<const std::int64_t> numbers, const Mesh& mesh, int element);
 

@@ -116,7 +116,7 @@ ChebyshevModel Composed(
   return series ? ValueOf(*series, f) : NoModel();
 }
 
-/// What is known of a scalar of which nothing but the model is new.
+/// The range from the model's Bernstein form, which is sharper than `known` alone.
 Interval RangeOf(const ModelValue& f)
 {
   const Interval tight = Intersect(f.known.value, f.model.TightRange());
