@@ -107,6 +107,68 @@ class Collections(SeriesTest):
         self.fails(2, "info", series, self.folder / "u_0.vtu", names=[series])
 
 
+class AllSteps(SeriesTest):
+    """--time-step all gives what each step alone gives."""
+
+    def rows(self, *arguments):
+        out = self.folder / "out.csv"
+        self.succeeds("probe", *arguments, "--output", out)
+        return out.read_text(encoding="utf-8").splitlines()
+
+    def test_probe(self):
+        series = self.three_steps()
+        points = self.write("points.csv", "x,y,z\n0.5,0.25,0.25\n0.1,0.9,0.3\n2,0,0\n")
+        for options in (["--points", points], ["--line", "0,0.5,0.5,1,0.5,0.5,4", "--gradient", "--owners"]):
+            header, *rows = self.rows(series, "--field", "u", *options, "--time-step", "all")
+            alone = [self.rows(series, "--field", "u", *options, "--time-step", k) for k in range(3)]
+            self.assertEqual(header, "step,time," + alone[0][0])
+            wanted = [f"{k},{0.25 * k:g},{row}" for k in range(3) for row in alone[k][1:]]
+            self.assertEqual(rows, wanted)
+
+    def test_probe_reports_a_list(self):
+        series = self.three_steps()
+        options = ["--field", "u", "--line", "0,0.5,0.5,1,0.5,0.5,4", "--output", self.folder / "out.csv"]
+        steps = self.summary("probe", series, *options, "--time-step", "all")["steps"]
+        for k, step in enumerate(steps):
+            alone = self.summary("probe", series, *options, "--time-step", k)
+            del alone["seconds"]
+            self.assertEqual(step, alone)
+        self.assertEqual([step["time"] for step in steps], [0, 0.25, 0.5])
+
+    def test_integrate(self):
+        series = self.three_steps()
+        options = ["--field", "u", "--plane", "x=0.5", "--boundary"]
+        steps = self.summary("integrate", series, *options, "--time-step", "all")["steps"]
+        self.assertEqual(len(steps), 3)
+        for k, step in enumerate(steps):
+            alone = self.summary("integrate", series, *options, "--time-step", k)
+            del alone["seconds"]
+            self.assertEqual(step, alone)
+        text = self.succeeds("integrate", series, *options, "--time-step", "all").stdout
+        lines = [line for line in text.splitlines() if line.startswith("step ")]
+        self.assertEqual(len(lines), 6)
+        self.assertRegex(lines[2], r"step 2 +time 0\.5: Area 1 \+-.*, Integral 1\.5 \+-.*, Mean 1\.5 \+-")
+
+    def test_inputs_without_steps_are_refused(self):
+        self.three_steps()
+        alone = self.folder / "u_0.vtu"
+        self.fails(1, "probe", alone, "--field", "u", "--line", "0,0,0,1,1,1,3", "--time-step", "all",
+            names=["--time-step all", alone, "no time steps"])
+        self.fails(1, "integrate", alone, "--plane", "x=0.5", "--time-step", "all",
+            names=["--time-step all", alone, "no time steps"])
+        self.fails(2, "info", self.folder / "series.pvd", "--time-step", "all", names=["--time-step"])
+
+    def test_steps_with_other_components_are_refused(self):
+        self.write("a.vtu", slab(0.0, 1.0))
+        points = [list(corner) for corner in CUBE]
+        self.write("b.vtu", plain_grid(points, [(12, list(range(8)))], [("u", points)]))
+        series = self.collection([(0, "a.vtu"), (1, "b.vtu")])
+        out = self.folder / "out.csv"
+        self.fails(1, "probe", series, "--field", "u", "--line", "0,0,0,1,1,1,3", "--time-step", "all",
+            "--output", out, names=["step 1", "components"])
+        self.assertFalse(out.exists())
+
+
 class Pieces(SeriesTest):
     def test_pieces_of_processes(self):
         """The layout of MFEM's ParaViewDataCollection."""

@@ -15,7 +15,9 @@
 #include <vtkImplicitFunction.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -107,6 +109,35 @@ std::optional<double> LinearOf(const Answer& answer, const std::string& quantity
   return kind == "Mean" ? linear.integrals[component] / linear.area : linear.integrals[component];
 }
 
+std::string RowText(const Answer& answer, const IntegralRow& row)
+{
+  std::string text = std::isfinite(row.Error())
+    ? fmt::format("{} +- {}", Short(row.Middle(), 15), Short(row.Error(), 2))
+    : std::string("not bounded");
+  if (const auto linear = LinearOf(answer, row.quantity))
+  {
+    text += fmt::format(
+      "   linear {}, off by {}", Short(*linear, 9), Short(std::fabs(*linear - row.Middle()), 2));
+  }
+  return text;
+}
+
+/// A surface's row of a time step.
+void AddStepRow(Table& table, const LoadedModel& input, const Answer& answer, double tolerance)
+{
+  std::vector<std::string> texts;
+  texts.reserve(answer.rows.size());
+  for (const IntegralRow& row : answer.rows)
+  {
+    texts.push_back(fmt::format("{} {}", row.quantity, RowText(answer, row)));
+  }
+  table.Row(fmt::format("step {}", input.step), "time {}: {}", Short(TimeOf(input)), Listed(texts));
+  for (const std::string& doubt : DoubtsOf(answer.found, tolerance))
+  {
+    table.Row("note", doubt);
+  }
+}
+
 void PrintAnswer(const Answer& answer, const IntegralEffort& effort)
 {
   Table table;
@@ -116,15 +147,7 @@ void PrintAnswer(const Answer& answer, const IntegralEffort& effort)
     "met", "{} elements inside, {} faces; {} boxes", found.elements, found.faces, found.boxes);
   for (const IntegralRow& row : answer.rows)
   {
-    std::string text = std::isfinite(row.Error())
-      ? fmt::format("{} +- {}", Short(row.Middle(), 15), Short(row.Error(), 2))
-      : std::string("not bounded");
-    if (const auto linear = LinearOf(answer, row.quantity))
-    {
-      text += fmt::format(
-        "   linear {}, off by {}", Short(*linear, 9), Short(std::fabs(*linear - row.Middle()), 2));
-    }
-    table.Row(row.quantity, text);
+    table.Row(row.quantity, RowText(answer, row));
   }
   for (const std::string& doubt : DoubtsOf(found, effort.tolerance))
   {
@@ -158,6 +181,22 @@ nlohmann::ordered_json AnswerJson(const Answer& answer, const IntegralEffort& ef
   return summary;
 }
 
+/// Integrates over all surfaces at one time step, calling `visit` for each result. Returns the
+/// summary without the results.
+nlohmann::ordered_json SolveStep(const LoadedModel& input, const Field* field,
+  const IntegrateOptions& options, const std::function<void(const Answer&)>& visit)
+{
+  const HighOrderModel& model = *input.model;
+  nlohmann::ordered_json summary{ { "elements", model.GetMesh().Elements() },
+    { "field", field != nullptr ? nlohmann::ordered_json(field->name) : nullptr } };
+  AddTime(summary, input);
+  for (const IntegralSurface& surface : options.surfaces.Make(BoxOf(model)))
+  {
+    visit(Solve(surface, input, field, options));
+  }
+  return summary;
+}
+
 void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
 {
   const IntegralEffort effort = options.Effort();
@@ -168,35 +207,56 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
       "--linear is for planes, quadrics, tori and boxes, whole; leave it out with " + other);
   }
   Stopwatch stopwatch;
+  std::vector<nlohmann::ordered_json> summaries;
+  std::vector<Table> tables; // of all steps, by surface
+  std::string name;          // of the field, in all steps; empty: there is none
   // An iso-surface may belong to another field than the integrand; then all fields are loaded.
-  const LoadedModel input = LoadModel(
-    options.input, options.surfaces.HasIsoSurfaces() ? std::string() : options.field, stopwatch);
-  WarnOfDiagnostics(input);
-  const HighOrderModel& model = *input.model;
-  const Field* const field =
-    model.Fields().empty() && options.field.empty() ? nullptr : &FieldOrFirst(model, options.field);
-  nlohmann::ordered_json summary{ { "elements", model.GetMesh().Elements() },
-    { "field", field != nullptr ? nlohmann::ordered_json(field->name) : nullptr } };
-  AddTime(summary, input);
-  for (const IntegralSurface& surface : options.surfaces.Make(BoxOf(model)))
-  {
-    const Answer answer = Solve(surface, input, field, options);
-    if (common.json)
+  ForEachStep(options.input, options.surfaces.HasIsoSurfaces() ? std::string() : options.field,
+    stopwatch,
+    [&](const LoadedModel& input)
     {
-      summary["surfaces"].push_back(AnswerJson(answer, effort));
-    }
-    else
-    {
-      PrintAnswer(answer, effort);
-    }
-  }
-  stopwatch.Stage("integrate");
+      const bool isFirst = summaries.empty();
+      if (isFirst)
+      {
+        WarnOfDiagnostics(input);
+        name = options.field.empty() && !input.model->Fields().empty()
+          ? FieldOrFirst(*input.model, {}).name
+          : options.field;
+      }
+      std::size_t surface = 0;
+      auto answers = nlohmann::ordered_json::array();
+      nlohmann::ordered_json summary =
+        SolveStep(input, name.empty() ? nullptr : &input.model->GetField(name), options,
+          [&](const Answer& answer)
+          {
+            answers.push_back(AnswerJson(answer, effort));
+            if (!common.json && !options.input.allSteps)
+            {
+              PrintAnswer(answer, effort);
+              return;
+            }
+            if (isFirst)
+            {
+              tables.emplace_back().Row("surface", answer.name);
+            }
+            AddStepRow(tables[surface++], input, answer, effort.tolerance);
+          });
+      summary["surfaces"] = std::move(answers);
+      summaries.push_back(std::move(summary));
+      stopwatch.Stage("integrate");
+    });
   if (common.json)
   {
+    nlohmann::ordered_json summary = summaries.front();
+    if (options.input.allSteps)
+    {
+      summary = { { "steps", summaries } };
+    }
     summary["seconds"] = ToJson(stopwatch);
     Print(summary);
     return;
   }
+  std::ranges::for_each(tables, [](const Table& one) { one.Print(); });
   Table table;
   AddStages(table, stopwatch);
   table.Print();
@@ -210,6 +270,7 @@ void AddIntegrateCommand(CLI::App& program, const CommonOptions& common, Action&
     "Area, integral, mean and flux of a field over a cut or the boundary, with proven error bounds",
     [options, &common, &action]
     { action = [options, &common] { RunIntegrate(*options, common); }; });
+  options->input.mayBeAll = true;
   options->input.AddTo(command);
   Bind(command, "--field", options->field);
   options->surfaces.AddTo(command);

@@ -12,6 +12,8 @@
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -39,12 +41,13 @@ struct ProbeOptions
 
 /// The fields to evaluate; none where the input has none. Points are then only located and their
 /// coverage counted.
-std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const ProbeOptions& options)
+std::vector<const Field*> FieldsToProbe(
+  const HighOrderModel& model, const ProbeOptions& options, const std::vector<std::string>& names)
 {
-  if (!options.fields.empty())
+  if (!names.empty())
   {
     std::vector<const Field*> fields;
-    for (const std::string& name : options.fields)
+    for (const std::string& name : names)
     {
       fields.push_back(&model.GetField(name));
     }
@@ -141,6 +144,34 @@ std::vector<ProbedField> ProbeFields(const LoadedModel& input,
   return probed;
 }
 
+/// Evaluates the fields of one time step.
+ProbedStep ProbeStep(const LoadedModel& input, const std::vector<const Field*>& fields,
+  const ProbePoints& points, const ProbeOptions& options, Stopwatch& stopwatch)
+{
+  const Locator& locator = input.model->GetLocator();
+  stopwatch.Stage("bounds+bvh");
+  ProbedStep step;
+  step.step = input.step;
+  step.time = TimeOf(input);
+  step.fields = ProbeFields(input, fields, points, options.columns);
+  stopwatch.Stage("probe");
+  if (options.columns.owners)
+  {
+    FindOwners(locator, points.x, step.fields.front().samples.owners);
+    stopwatch.Stage("owners");
+  }
+  const auto cells = input.model->SourceCells();
+  step.sourceCells.assign(cells.begin(), cells.end());
+  return step;
+}
+
+bool HaveSameColumns(const ProbedStep& a, const ProbedStep& b)
+{
+  return std::ranges::equal(a.fields, b.fields,
+    [](const ProbedField& one, const ProbedField& other)
+    { return one.samples.components == other.samples.components; });
+}
+
 void Probe(const ProbeOptions& options, const CommonOptions& common)
 {
   if (options.points.empty() && options.line.empty())
@@ -156,30 +187,54 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   // Reads the points first, because this is fast and often fails.
   GivenPoints given = PointsOf(options);
   stopwatch.Stage("points");
-  const LoadedModel input = LoadModel(
-    options.input, options.fields.size() == 1 ? options.fields.front() : std::string(), stopwatch);
-  WarnOfDiagnostics(input);
-  AddZ(options, input, given);
-  const ProbePoints& points = given.points;
-  const std::vector<const Field*> fields = FieldsToProbe(*input.model, options);
-  (void)input.model->GetLocator();
-  stopwatch.Stage("bounds+bvh");
-
-  std::vector<ProbedField> probed = ProbeFields(input, fields, points, options.columns);
-  stopwatch.Stage("probe");
-  if (options.columns.owners)
-  {
-    FindOwners(input.model->GetLocator(), points.x, probed.front().samples.owners);
-    stopwatch.Stage("owners");
-  }
-  WriteProbeTable(options.output, points, probed, input.model->SourceCells());
+  std::vector<std::string> names = options.fields;
+  std::vector<ProbedStep> steps;
+  std::vector<nlohmann::ordered_json> summaries;
+  Table table;
+  ForEachStep(options.input, options.fields.size() == 1 ? options.fields.front() : std::string(),
+    stopwatch,
+    [&](const LoadedModel& input)
+    {
+      if (steps.empty())
+      {
+        WarnOfDiagnostics(input);
+        AddZ(options, input, given);
+      }
+      const std::vector<const Field*> fields = FieldsToProbe(*input.model, options, names);
+      if (names.empty() && !fields.empty())
+      {
+        names.push_back(fields.front()->name);
+      }
+      steps.push_back(ProbeStep(input, fields, given.points, options, stopwatch));
+      const ProbedStep& step = steps.back();
+      if (!HaveSameColumns(steps.front(), step))
+      {
+        throw Error(fmt::format("--time-step all: the fields of step {} differ from those of step "
+                                "{} in their components; probe them one by one",
+          step.step, steps.front().step));
+      }
+      if (common.json)
+      {
+        summaries.push_back(ProbeJson(input, fields, step.fields, options.columns));
+        return;
+      }
+      AddTo(table, input, fields, step.fields, options.columns);
+    });
+  WriteProbeTable(options.output, given.points, steps, options.input.allSteps);
   stopwatch.Stage("write");
-  if (common.json)
+  if (!common.json)
   {
-    PrintJson(input, fields, probed, options.columns, stopwatch);
+    AddStages(table, stopwatch);
+    table.Print(IsStandardStream(options.output));
     return;
   }
-  PrintTable(input, fields, probed, options.columns, stopwatch, IsStandardStream(options.output));
+  nlohmann::ordered_json summary = summaries.front();
+  if (options.input.allSteps)
+  {
+    summary = { { "steps", summaries } };
+  }
+  summary["seconds"] = ToJson(stopwatch);
+  Print(summary);
 }
 
 /// Reads six coordinates and a number of points, or four in a plane, whose z become 0.
@@ -207,6 +262,7 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
   CLI::App& command = AddCommand(program, "probe",
     "Evaluate a field at the points of a table; without a field, locate them",
     [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
+  options->input.mayBeAll = true;
   options->input.AddTo(command);
   Bind(command, "--field",
     [options](const std::string& name)

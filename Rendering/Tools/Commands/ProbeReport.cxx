@@ -73,8 +73,8 @@ nlohmann::ordered_json ProbedJson(const Field* field, const ProbedField& probed,
 }
 } // namespace
 
-void PrintJson(const LoadedModel& input, const std::vector<const Field*>& fields,
-  const std::vector<ProbedField>& probed, const ProbeColumns& columns, const Stopwatch& stopwatch)
+nlohmann::ordered_json ProbeJson(const LoadedModel& input, const std::vector<const Field*>& fields,
+  const std::vector<ProbedField>& probed, const ProbeColumns& columns)
 {
   const ProbeSamples& first = probed.front().samples;
   const ProbeCounts counts = CountProbes(first);
@@ -95,17 +95,14 @@ void PrintJson(const LoadedModel& input, const std::vector<const Field*>& fields
       summary["fields"].push_back(ProbedJson(fields[k], probed[k], columns.enclosures));
     }
   }
-  summary["seconds"] = ToJson(stopwatch);
-  Print(summary);
+  return summary;
 }
 
-void PrintTable(const LoadedModel& input, const std::vector<const Field*>& fields,
-  const std::vector<ProbedField>& probed, const ProbeColumns& columns, const Stopwatch& stopwatch,
-  bool onStderr)
+void AddTo(Table& table, const LoadedModel& input, const std::vector<const Field*>& fields,
+  const std::vector<ProbedField>& probed, const ProbeColumns& columns)
 {
   const ProbeSamples& first = probed.front().samples;
   const ProbeCounts counts = CountProbes(first);
-  Table table;
   for (std::size_t k = 0; k < fields.size(); ++k)
   {
     table.Row(k == 0 ? "field" : "", fields[k]->name + FieldKind(*fields[k]));
@@ -133,7 +130,5 @@ void PrintTable(const LoadedModel& input, const std::vector<const Field*>& field
   {
     AddCoverage(table, first);
   }
-  AddStages(table, stopwatch);
-  table.Print(onStderr);
 }
 } // namespace pixelexact

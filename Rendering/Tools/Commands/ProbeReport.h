@@ -3,21 +3,22 @@
 
 #include "Commands/ProbeTable.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <vector>
 
 // Reports of `probe` over all of its points.
 namespace pixelexact
 {
-class Stopwatch;
+class Table;
 struct Field;
 struct LoadedModel;
 
-/// Prints JSON to stdout. `fields`: the evaluated fields, none where the input has none; `probed`:
-/// at least one.
-void PrintJson(const LoadedModel& input, const std::vector<const Field*>& fields,
-  const std::vector<ProbedField>& probed, const ProbeColumns& columns, const Stopwatch& stopwatch);
-/// Prints the same as a table to stdout or, where stdout is a file, to stderr.
-void PrintTable(const LoadedModel& input, const std::vector<const Field*>& fields,
-  const std::vector<ProbedField>& probed, const ProbeColumns& columns, const Stopwatch& stopwatch,
-  bool onStderr);
+/// The report of a time step as JSON. `fields`: the evaluated fields, none where the input has
+/// none; `probed`: at least one.
+nlohmann::ordered_json ProbeJson(const LoadedModel& input, const std::vector<const Field*>& fields,
+  const std::vector<ProbedField>& probed, const ProbeColumns& columns);
+/// Adds the same as rows.
+void AddTo(Table& table, const LoadedModel& input, const std::vector<const Field*>& fields,
+  const std::vector<ProbedField>& probed, const ProbeColumns& columns);
 } // namespace pixelexact

@@ -44,9 +44,10 @@ std::string ColumnsOf(const ProbedField& field)
   return columns;
 }
 
-std::string Header(const ProbePoints& points, std::span<const ProbedField> fields)
+std::string Header(const ProbePoints& points, std::span<const ProbedField> fields, bool withTime)
 {
-  std::string header = points.distance.empty() ? "x,y,z" : "x,y,z,distance";
+  std::string header = withTime ? "step,time,x,y,z" : "x,y,z";
+  header += points.distance.empty() ? "" : ",distance";
   for (const ProbedField& field : fields)
   {
     header += ColumnsOf(field);
@@ -80,6 +81,36 @@ void AppendValues(std::string& line, const ProbeSamples& samples, std::size_t po
   for (std::size_t c = point * width; !samples.lower.empty() && c < (point + 1) * width; ++c)
   {
     AppendNumbers(line, std::array{ samples.lower[c], samples.upper[c] });
+  }
+}
+
+/// A row per point; `time`: its first columns.
+void WriteRows(
+  std::ostream& stream, const std::string& time, const ProbePoints& points, const ProbedStep& step)
+{
+  const ProbeSamples& first = step.fields.front().samples;
+  std::string line;
+  for (std::size_t i = 0; i < points.x.size(); ++i)
+  {
+    line = time;
+    AppendNumbers(line, std::array{ points.x[i].x, points.x[i].y, points.x[i].z });
+    AppendNumbers(line, Entries(points.distance, i, 1));
+    for (const ProbedField& field : step.fields)
+    {
+      AppendValues(line, field.samples, i);
+    }
+    const std::int32_t element = first.element[i];
+    line +=
+      std::to_string(element < 0 ? -1 : step.sourceCells[static_cast<std::size_t>(element)]) + ',';
+    AppendNumbers(line, std::array{ first.xi[i].x, first.xi[i].y, first.xi[i].z });
+    line += Name(first.verdict[i]);
+    if (!first.owners.empty())
+    {
+      line += ',' + std::to_string(first.owners[i].preimages) + ',';
+      line += Name(first.owners[i].coverage);
+    }
+    line += '\n';
+    stream << line;
   }
 }
 
@@ -126,33 +157,20 @@ ProbePoints PointsOnLine(const Vec3& from, const Vec3& to, int count)
 }
 
 void WriteProbeTable(const std::string& file, const ProbePoints& points,
-  std::span<const ProbedField> fields, std::span<const std::int64_t> sourceCells)
+  std::span<const ProbedStep> steps, bool withTime)
 {
   OutputFile output(file);
   std::ostream& stream = output.Stream();
-  stream << Header(points, fields);
-  const ProbeSamples& first = fields.front().samples;
-  std::string line;
-  for (std::size_t i = 0; i < points.x.size(); ++i)
+  stream << Header(points, steps.front().fields, withTime);
+  for (const ProbedStep& step : steps)
   {
-    line.clear();
-    AppendNumbers(line, std::array{ points.x[i].x, points.x[i].y, points.x[i].z });
-    AppendNumbers(line, Entries(points.distance, i, 1));
-    for (const ProbedField& field : fields)
+    std::string time;
+    if (withTime)
     {
-      AppendValues(line, field.samples, i);
+      time = std::to_string(step.step) + ',';
+      AppendNumbers(time, std::array{ step.time });
     }
-    const std::int32_t element = first.element[i];
-    line += std::to_string(element < 0 ? -1 : sourceCells[static_cast<std::size_t>(element)]) + ',';
-    AppendNumbers(line, std::array{ first.xi[i].x, first.xi[i].y, first.xi[i].z });
-    line += Name(first.verdict[i]);
-    if (!first.owners.empty())
-    {
-      line += ',' + std::to_string(first.owners[i].preimages) + ',';
-      line += Name(first.owners[i].coverage);
-    }
-    line += '\n';
-    stream << line;
+    WriteRows(stream, time, points, step);
   }
   output.Close();
 }

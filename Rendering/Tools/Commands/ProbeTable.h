@@ -69,10 +69,20 @@ struct ProbedField
   ProbeSamples samples;
 };
 
-/// Writes a row per point. Locations and coverage are those of the first field; there must be at
-/// least one entry. Throws Error naming the file.
+/// The results of a time step.
+struct ProbedStep
+{
+  int step = 0;
+  double time = 0.0;
+  std::vector<ProbedField> fields; ///< at least one entry
+  std::vector<std::int64_t> sourceCells;
+};
+
+/// Writes a row per point, step by step. Locations and coverage are those of the first field. There
+/// must be at least one step, and all must have the same columns. `withTime`: the columns `step`
+/// and `time` precede the others. Throws Error naming the file.
 void WriteProbeTable(const std::string& file, const ProbePoints& points,
-  std::span<const ProbedField> fields, std::span<const std::int64_t> sourceCells);
+  std::span<const ProbedStep> steps, bool withTime);
 
 struct ProbeCounts
 {

@@ -223,6 +223,39 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
   return input;
 }
 
+void ForEachStep(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
+  const std::function<void(const LoadedModel&)>& visit)
+{
+  LoadedModel now = LoadModel(request, field, stopwatch);
+  if (!request.allSteps)
+  {
+    visit(now);
+    return;
+  }
+  if (now.times.empty())
+  {
+    throw Error("--time-step all: '" + request.files[0] + "' has no time steps; leave it out");
+  }
+  InputRequest one = request;
+  one.allSteps = false;
+  const int steps = static_cast<int>(now.times.size());
+  for (int step = 0; step < steps; ++step)
+  {
+    if (step != now.step)
+    {
+      one.step = step;
+      now = LoadModel(
+        one, field, stopwatch, now.undeformed != nullptr ? now.undeformed.Get() : now.grid.Get());
+    }
+    visit(now);
+  }
+}
+
+double TimeOf(const LoadedModel& input)
+{
+  return input.times.empty() ? 0.0 : input.times[static_cast<std::size_t>(input.step)];
+}
+
 void AddTime(Table& table, const LoadedModel& input)
 {
   if (!input.times.empty())

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -51,6 +52,14 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
 /// The same input with the deformation and the truncation of another request.
 LoadedModel Deformed(const LoadedModel& before, const InputRequest& request);
 
+/// Calls `visit` for the input at the requested time step, or at each one in order where all are
+/// requested. Steps with the same mesh share mesh and locator. Throws as LoadModel, and Error where
+/// all steps of an input without steps are requested.
+void ForEachStep(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
+  const std::function<void(const LoadedModel&)>& visit);
+
+/// The time of the step; 0 where the input has no time.
+double TimeOf(const LoadedModel& input);
 /// Reports which time step this is; nothing where the input has no time.
 void AddTime(Table& table, const LoadedModel& input);
 void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input);
