@@ -164,9 +164,10 @@ std::string Rounded(double number, bool upwards, int digits)
   const auto print = [digits](double v) { return fmt::format("{:.{}g}", v, digits); };
   const std::string text = print(number);
   const double printed = std::strtod(text.c_str(), nullptr);
-  return (upwards ? printed < number : printed > number)
-    ? print(number + (upwards ? 1e-9 : -1e-9) * std::fabs(number))
-    : text;
+  // One unit in the last digit.
+  const double step = std::pow(10.0, std::floor(std::log10(std::fabs(number))) + 1 - digits);
+  return (upwards ? printed < number : printed > number) ? print(number + (upwards ? step : -step))
+                                                         : text;
 }
 
 std::string Short(double number, int digits)
