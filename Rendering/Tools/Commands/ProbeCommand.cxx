@@ -47,6 +47,7 @@ std::vector<const Field*> FieldsToProbe(
   if (!names.empty())
   {
     std::vector<const Field*> fields;
+    fields.reserve(names.size());
     for (const std::string& name : names)
     {
       fields.push_back(&model.GetField(name));
