@@ -22,6 +22,7 @@ CLASSES = [
     "vtkHighOrderComparison",
     "vtkHighOrderContour",
     "vtkHighOrderDifference",
+    "vtkHighOrderExtremes",
     "vtkHighOrderGrid",
     "vtkHighOrderIntegrate",
     "vtkHighOrderIsoSurface",

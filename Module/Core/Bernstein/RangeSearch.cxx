@@ -26,6 +26,24 @@ int Total(const std::array<int, 3>& subdivisions)
   return subdivisions[0] + subdivisions[1] + subdivisions[2];
 }
 
+Vec3 CornerOf(const Box3& box, unsigned corner)
+{
+  const auto at = [&](int d)
+  { return ((corner >> static_cast<unsigned>(d)) & 1U) != 0 ? box.upper[d] : box.lower[d]; };
+  return { at(0), at(1), at(2) };
+}
+
+/// The point with the coordinates t in the box's own [-1, 1]^3.
+Vec3 PointOf(const Box3& box, const std::array<double, 3>& t)
+{
+  const auto at = [&](int d)
+  {
+    const double part = 0.5 + 0.5 * t[static_cast<std::size_t>(d)];
+    return std::clamp(std::lerp(box.lower[d], box.upper[d], part), box.lower[d], box.upper[d]);
+  };
+  return { at(0), at(1), at(2) };
+}
+
 int SplitDirection(const RangeBox& box, int difference)
 {
   const int least = std::ranges::min(box.subdivisions);
@@ -54,9 +72,28 @@ int SplitDirection(const RangeBox& box, int difference)
 }
 } // namespace
 
-Interval RangeFunction::AtLikelyMinimum(std::span<const BoxPolynomial> /*polynomials*/) const
+PointValue RangeFunction::AtLikelyMinimum(std::span<const BoxPolynomial> /*polynomials*/) const
 {
-  return Interval::Everything();
+  return {};
+}
+
+void AttainedValues::Add(const Interval& value, const Vec3& point)
+{
+  Add({ { value.upper, value.lower }, point, point });
+}
+
+void AttainedValues::Add(const AttainedValues& others)
+{
+  if (others.values.lower < values.lower)
+  {
+    values.lower = others.values.lower;
+    lowerPoint = others.lowerPoint;
+  }
+  if (others.values.upper > values.upper)
+  {
+    values.upper = others.values.upper;
+    upperPoint = others.upperPoint;
+  }
 }
 
 double AllowedGap(const CertifiedRange& range, double tolerance)
@@ -73,20 +110,19 @@ bool IsWithin(const CertifiedRange& range, double tolerance)
   return range.GapBelow() <= allowed && range.GapAbove() <= allowed;
 }
 
-Interval RangeBox::Look(const RangeFunction& function)
+AttainedValues RangeBox::Look(const RangeFunction& function)
 {
   bound = Intersect(bound, function.Enclose(polynomials));
   rounding = 0.0;
   lowestCorner = std::numeric_limits<double>::infinity();
-  Interval attained = CertifiedRange{}.attained;
+  AttainedValues attained;
   for (unsigned corner = 0; corner < 8; ++corner)
   {
     const Interval at = function.AtCorner(polynomials, corner);
     const Interval value = Intersect(bound, at);
     rounding = std::max(rounding, at.IsFinite() ? at.Width() : 0.0);
     lowestCorner = std::min(lowestCorner, value.lower);
-    attained.lower = std::min(attained.lower, value.upper);
-    attained.upper = std::max(attained.upper, value.lower);
+    attained.Add(value, CornerOf(place, corner));
   }
   return attained;
 }
@@ -103,6 +139,9 @@ RangeBox RangeBox::Subdivide(const RangeFunction& function)
   RangeBox upper;
   upper.bound = bound;
   upper.subdivisions = subdivisions;
+  upper.place = place;
+  upper.place.lower[direction] = place.upper[direction] =
+    0.5 * (place.lower[direction] + place.upper[direction]);
   for (BoxPolynomial& polynomial : polynomials)
   {
     upper.polynomials.push_back(polynomial.Subdivide(direction));
@@ -122,26 +161,26 @@ std::size_t RangeBox::Held() const
 
 RangeSearch::RangeSearch(const RangeFunction& function, const Interval& known)
   : Function(function)
-  , Attained(known)
+  , Attained{ known }
 {
 }
 
 void RangeSearch::Add(RangeBox box)
 {
-  Attained = Join(Attained, box.Look(Function));
+  Attained.Add(box.Look(Function));
   ++Count;
   const bool every = Total(box.subdivisions) % 3 == 0;
-  if (every && box.bound.lower < Attained.lower)
+  if (every && box.bound.lower < Attained.values.lower)
   {
-    const Interval value = Function.AtLikelyMinimum(box.polynomials);
-    Attained = Join(Attained, { value.upper, value.lower });
+    const PointValue found = Function.AtLikelyMinimum(box.polynomials);
+    Attained.Add(found.value, PointOf(box.place, found.t));
   }
   if (box.remake)
   {
     box.polynomials.clear();
     box.polynomials.shrink_to_fit();
   }
-  if (!Attained.Contains(box.bound))
+  if (!Attained.values.Contains(box.bound))
   {
     Held += box.Held();
     Boxes.push_back(std::move(box));
@@ -151,10 +190,12 @@ void RangeSearch::Add(RangeBox box)
 CertifiedRange RangeSearch::Current() const
 {
   CertifiedRange range;
-  range.attained = Attained;
+  range.attained = Attained.values;
+  range.lowerPoint = Attained.lowerPoint;
+  range.upperPoint = Attained.upperPoint;
   range.boxes = Count;
   // The boxes that were dropped hold only values between the attained ones.
-  range.outer = { Attained.lower, Attained.upper };
+  range.outer = { range.attained.lower, range.attained.upper };
   for (const RangeBox& box : Boxes)
   {
     range.outer.lower = std::min(range.outer.lower, box.bound.lower);
@@ -177,7 +218,8 @@ bool RangeSearch::Refine(End end)
   {
     return false;
   }
-  const double beyond = reach(*worst) - (end == End::Lower ? -Attained.lower : Attained.upper);
+  const double beyond =
+    reach(*worst) - (end == End::Lower ? -Attained.values.lower : Attained.values.upper);
   if (Held > kMaxHeld || !(beyond > 0.0) || beyond <= kRoundingOnly * worst->rounding)
   {
     return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Bernstein/BoxPolynomial.h"
+#include "Core/Math/Vec.h"
 
 #include <functional>
 #include <limits>
@@ -10,6 +11,13 @@
 
 namespace pixelexact
 {
+/// An enclosure of the value at a point of a box.
+struct PointValue
+{
+  Interval value = Interval::Everything();
+  std::array<double, 3> t{}; ///< the point, in the box's own [-1, 1]^3
+};
+
 /// A continuous function of polynomials, evaluated over one box at a time.
 class RangeFunction
 {
@@ -22,16 +30,32 @@ public:
     std::span<const BoxPolynomial> polynomials, unsigned corner) const = 0;
   /// Encloses the value at some point of the box where a small value is likely. Unbounded where
   /// there is no guess.
-  [[nodiscard]] virtual Interval AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const;
+  [[nodiscard]] virtual PointValue AtLikelyMinimum(
+    std::span<const BoxPolynomial> polynomials) const;
   /// The order, 1 or 2, of the differences of the polynomials that choose the direction of
   /// subdivision.
   [[nodiscard]] virtual int TellingDifference() const = 0;
+};
+
+/// Values attained at points, as CertifiedRange::attained, and the points of its ends.
+struct AttainedValues
+{
+  Interval values{ std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
+  Vec3 lowerPoint{ std::numeric_limits<double>::quiet_NaN() };
+  Vec3 upperPoint{ std::numeric_limits<double>::quiet_NaN() };
+
+  /// Includes an enclosure of the value at a point.
+  void Add(const Interval& value, const Vec3& point);
+  /// Includes values attained at other points.
+  void Add(const AttainedValues& others);
 };
 
 /// A part of a function's domain.
 struct RangeBox
 {
   std::vector<BoxPolynomial> polynomials;
+  Box3 place{ Vec3(-1.0), Vec3(1.0) }; ///< in the domain's coordinates
   std::array<int, 3> subdivisions{};
   Interval bound = Interval::Everything(); ///< of the values
   /// Width of the enclosures at single points. Subdivision does not reduce it.
@@ -43,9 +67,8 @@ struct RangeBox
   /// for large domains in many boxes.
   std::function<std::vector<BoxPolynomial>()> remake;
 
-  /// Encloses the values and returns the values attained at the corners, as
-  /// CertifiedRange::attained.
-  Interval Look(const RangeFunction& function);
+  /// Encloses the values and returns the values attained at the corners.
+  AttainedValues Look(const RangeFunction& function);
   /// Becomes one child and returns the other. Divides along the direction that tightens the bound
   /// most.
   RangeBox Subdivide(const RangeFunction& function);
@@ -62,6 +85,10 @@ struct CertifiedRange
   /// them. lower > upper where the function is constant up to rounding.
   Interval attained{ std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity() };
+  /// Points at which the ends of `attained` are attained, up to rounding of the coordinates; NaN
+  /// where the search found no value beyond those that were known before.
+  Vec3 lowerPoint{ std::numeric_limits<double>::quiet_NaN() };
+  Vec3 upperPoint{ std::numeric_limits<double>::quiet_NaN() };
   int boxes = 0;      ///< looked at
   bool met = false;   ///< the tolerance
   bool finite = true; ///< false where the function's coefficients are not: nothing is said then
@@ -104,7 +131,7 @@ public:
 private:
   const RangeFunction& Function;
   std::vector<RangeBox> Boxes; ///< that may reach beyond what is attained
-  Interval Attained;
+  AttainedValues Attained;
   int Count = 0;
   std::size_t Held = 0; ///< coefficients
 };

@@ -163,11 +163,13 @@ void Rounds::Gather(const std::vector<int>& looked)
     {
       Range.attained.lower = one.attained.lower;
       Found.lowerElement = e;
+      Found.lowerPoint = one.lowerPoint;
     }
     if (one.attained.upper > Range.attained.upper)
     {
       Range.attained.upper = one.attained.upper;
       Found.upperElement = e;
+      Found.upperPoint = one.upperPoint;
     }
   }
   Found.notFinite = 0;

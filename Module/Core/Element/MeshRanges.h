@@ -19,6 +19,10 @@ struct MeshRange
   /// Elements that attain the ends of range.attained; -1 where there is none.
   int lowerElement = -1;
   int upperElement = -1;
+  /// The points in eta (see TensorToReference) of these elements, up to rounding of the
+  /// coordinates; NaN where there is none.
+  Vec3 lowerPoint{ std::numeric_limits<double>::quiet_NaN() };
+  Vec3 upperPoint{ std::numeric_limits<double>::quiet_NaN() };
   int notFinite = 0;      ///< elements with a NaN or infinite coefficient, of which nothing is said
   int unbounded = 0;      ///< elements of which no bound was found in the budget
   std::int64_t boxes = 0; ///< looked at in all

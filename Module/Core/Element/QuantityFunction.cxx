@@ -269,11 +269,11 @@ Interval QuantityFunction::AtCorner(
   return value.IsFinite() && IsOfZeroField(polynomials) ? Interval(0.0) : value;
 }
 
-Interval QuantityFunction::AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const
+PointValue QuantityFunction::AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const
 {
   if (!IsMagnitude())
   {
-    return Interval::Everything();
+    return {};
   }
   const auto t = LeastNorm(Combine<AffineForm>(AffineForms(polynomials)));
   std::vector<Interval> values;
@@ -281,6 +281,6 @@ Interval QuantityFunction::AtLikelyMinimum(std::span<const BoxPolynomial> polyno
   {
     values.push_back(polynomial.At(t));
   }
-  return Value(values);
+  return { Value(values), t };
 }
 } // namespace pixelexact

@@ -17,7 +17,8 @@ public:
   [[nodiscard]] Interval Enclose(std::span<const BoxPolynomial> polynomials) const override;
   [[nodiscard]] Interval AtCorner(
     std::span<const BoxPolynomial> polynomials, unsigned corner) const override;
-  [[nodiscard]] Interval AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const override;
+  [[nodiscard]] PointValue AtLikelyMinimum(
+    std::span<const BoxPolynomial> polynomials) const override;
   [[nodiscard]] int TellingDifference() const override;
 
   /// Where J is constant up to rounding (straight simplices), replaces the nine derivatives and the

@@ -84,6 +84,19 @@ Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece)
   return part;
 }
 
+Box3 BoxOfPart(const Box3& within, int level, const PieceForm::Piece& piece)
+{
+  Box3 box;
+  const int pieces = 1 << level;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double middle = (2.0 * piece[static_cast<std::size_t>(d)] + 1.0) / pieces - 1.0;
+    box.lower[d] = middle + within.lower[d] / pieces;
+    box.upper[d] = middle + within.upper[d] / pieces;
+  }
+  return box;
+}
+
 void RestrictTo(const Box3& within, BoxPolynomial& polynomial)
 {
   for (int d = 0; d < 3; ++d)

@@ -48,6 +48,8 @@ PieceForm::Piece PieceAt(const Box3& box, int level);
 /// The part of a box of eta in a piece, in the piece's own [-1,1]^3; lower > upper somewhere where
 /// they do not meet.
 Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece);
+/// The inverse: a part of a piece, in the piece's own [-1,1]^3, as a box of eta.
+Box3 BoxOfPart(const Box3& within, int level, const PieceForm::Piece& piece);
 /// Restricts a polynomial over [-1,1]^3 to this part of it.
 void RestrictTo(const Box3& within, BoxPolynomial& polynomial);
 

@@ -171,6 +171,7 @@ void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
     }
     RangeBox box;
     box.polynomials = quantity_->Polynomials(piece, within);
+    box.place = BoxOfPart(within, level, piece);
     if (pieces > 2)
     {
       box.remake = [this, piece, within] { return quantity_->Polynomials(piece, within); };

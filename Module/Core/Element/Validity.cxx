@@ -69,7 +69,7 @@ public:
 private:
   void Add(RangeBox box)
   {
-    const Interval attained = box.Look(Function);
+    const Interval attained = box.Look(Function).values;
     Found.attained = Join(Found.attained, attained);
     ++Found.boxes;
     if (box.bound.lower > 0.0)

@@ -3,6 +3,7 @@
 #include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Commands/CertifiedFacts.h"
+#include "Commands/ExtremeFacts.h"
 #include "Commands/WarpFacts.h"
 #include "Input/Input.h"
 #include "Input/OrderCounts.h"
@@ -35,6 +36,7 @@ struct InfoOptions
   InputRequest input;
   bool certify = false;
   std::vector<std::string> certified;   ///< fields and expressions; none: all fields
+  std::vector<std::string> extremes;    ///< fields and expressions
   std::optional<WarpRequest> warpLimit; ///< the displacement of which a limit is sought
 };
 
@@ -60,6 +62,7 @@ struct Facts
   std::size_t coefficientBytes = 0;   ///< of the geometry and all fields
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
+  std::optional<ExtremeFacts> extremes;    ///< on request
   std::optional<WarpFacts> warp;           ///< on request
 };
 
@@ -238,6 +241,10 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     AddTo(table, *facts.certified);
   }
+  if (facts.extremes)
+  {
+    AddTo(table, input, *facts.extremes);
+  }
   if (facts.warp)
   {
     AddTo(table, *facts.warp);
@@ -296,6 +303,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   {
     AddTo(summary, *facts.certified);
   }
+  if (facts.extremes)
+  {
+    AddTo(summary, input, *facts.extremes);
+  }
   if (facts.warp)
   {
     AddTo(summary, *facts.warp);
@@ -318,6 +329,10 @@ void Info(const InfoOptions& options, const CommonOptions& common)
   if (options.certify)
   {
     facts.certified = Certify(input, options.certified);
+  }
+  if (!options.extremes.empty())
+  {
+    facts.extremes = FindExtremeFacts(input, options.extremes);
   }
   if (options.warpLimit)
   {
@@ -344,6 +359,8 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
   Bind(command, "--certify", options->certify);
   Bind(
     command, "--field", [options](const std::string& name) { options->certified.push_back(name); });
+  Bind(command, "--extremes",
+    [options](const std::string& name) { options->extremes.push_back(name); });
   Bind(command, "--warp-limit",
     [options](const std::string& text)
     { ReadWarp("--warp-limit", text, options->warpLimit.emplace()); });
