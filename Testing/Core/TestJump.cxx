@@ -7,9 +7,12 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Expression/Expression.h"
+#include "Core/Faces/FaceJumps.h"
+#include "Core/Faces/FaceSampler.h"
 #include "Core/Faces/ReferenceFace.h"
 #include "Core/Location/Sample.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +71,8 @@ public:
   [[nodiscard]] const FaceTable& Faces() const { return Table; }
   [[nodiscard]] const Locator& GetLocator() const { return Places; }
   [[nodiscard]] OwnPolynomial Of(int element) const { return PolynomialOf(element, IsContinuous); }
+
+  [[nodiscard]] const Field& U() const { return Fields.front(); }
 
   [[nodiscard]] Field Make(const std::string& text) const
   {
@@ -234,6 +239,71 @@ TEST_P(JumpsOf, TheOtherSideAreTheNegative)
       }
     });
   EXPECT_GT(compared, 50);
+}
+
+TEST_P(JumpsOf, AcrossAllFacesHoldTheClosedForm)
+{
+  constexpr int kPlaces = 24; // along a parameter
+  const JumpCase one(GetParam().make());
+  const FaceJumps found = FindFaceJumps(one.GetLocator(), one.Faces(), one.U());
+  EXPECT_EQ(found.notFound, 0);
+  EXPECT_EQ(found.notFinite, 0);
+  int proven = 0;
+  double square = 0.0;
+  double exactSquare = 0.0;
+  for (const FaceJump& jump : found.faces)
+  {
+    const int e = jump.face.element;
+    const ReferenceFace& face = ReferenceFaceOf(one.View().ShapeOf(e), jump.face.face);
+    std::vector<FacePoint> places;
+    for (int i = 0; i < kPlaces * kPlaces; ++i)
+    {
+      const double a = (i / kPlaces + 0.5) / kPlaces;
+      const double b = (i % kPlaces + 0.5) / kPlaces;
+      places.push_back({ face.corners == 3 ? a * (1.0 - b) : a, b });
+    }
+    FaceSampler sampler(one.View());
+    std::vector<FaceSample> samples;
+    sampler.Sample(e, jump.face.face, places, samples);
+    const bool isWhole = one.Faces().KindOf(e, jump.face.face) == FaceKind::Interior;
+    double most = 0.0;
+    for (std::size_t i = 0; i < samples.size() && isWhole; ++i)
+    {
+      const LongVec3 at = ToLong(samples[i].x);
+      const auto exact = static_cast<double>(std::fabs(one.Of(jump.neighbour)(at) - one.Of(e)(at)));
+      most = std::max(most, exact);
+      const double size = one.View().size[static_cast<std::size_t>(e)];
+      const double shrink = face.corners == 3 ? 1.0 - places[i][1] : 1.0;
+      exactSquare += exact * exact * size * size * shrink / (kPlaces * kPlaces) *
+        glm::length(glm::cross(samples[i].first, samples[i].second));
+    }
+    square += isWhole ? jump.square : 0.0;
+    EXPECT_LE(most, jump.bound);
+    if (isWhole)
+    {
+      EXPECT_LE(most, 1.04 * jump.largest + kRoundingOfJumps);
+    }
+    const bool isBounded = std::isfinite(jump.bound);
+    proven += isBounded ? 1 : 0;
+    EXPECT_LE(isBounded ? jump.bound : 0.0, 1.04 * jump.largest + 1e-9);
+    Vec3 x;
+    MapForward(one.View(), e, std::span(&jump.xi, 1), std::span(&x, 1));
+    const LongVec3 at = ToLong(x);
+    EXPECT_NEAR(jump.largest,
+      static_cast<double>(std::fabs(one.Of(jump.neighbour)(at) - one.Of(e)(at))), kRoundingOfJumps);
+  }
+  EXPECT_GT(proven, 10);
+  EXPECT_NEAR(square, exactSquare, 5e-3 * exactSquare);
+}
+
+TEST_P(JumpsOf, AcrossAllFacesOfContinuousFieldsAreRounding)
+{
+  const JumpCase one(GetParam().make(), true);
+  for (const FaceJump& jump : FindFaceJumps(one.GetLocator(), one.Faces(), one.U()).faces)
+  {
+    EXPECT_LT(jump.largest, 2e-13);
+    EXPECT_LT(std::isfinite(jump.bound) ? jump.bound : 0.0, 1e-10);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, JumpsOf,

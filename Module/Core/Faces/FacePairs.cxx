@@ -49,10 +49,16 @@ public:
 
   bool ArePair(const ElementFace& one, const ElementFace& other)
   {
+    return Turn(one, other).has_value();
+  }
+
+  /// None where they are no pair.
+  std::optional<FaceTurn> Turn(const ElementFace& one, const ElementFace& other)
+  {
     const int corners = Reference(one).corners;
     if (one.element == other.element || corners != Reference(other).corners)
     {
-      return false;
+      return std::nullopt;
     }
     Tolerance = Uncertainty[one.element] + Uncertainty[other.element];
     const int order = std::max(
@@ -75,13 +81,14 @@ public:
           fits =
             IsWithin(cornersOfMine[static_cast<std::size_t>(c)], cornersOfOther[at], Tolerance);
         }
-        if (fits && AreAlike(other, points, turned, static_cast<std::size_t>(corners)))
+        const FaceTurn turn = TurnOf(turned, static_cast<std::size_t>(corners));
+        if (fits && AreAlike(other, points, turn))
         {
-          return true;
+          return turn;
         }
       }
     }
-    return false;
+    return std::nullopt;
   }
 
 private:
@@ -102,25 +109,21 @@ private:
     return corners;
   }
 
-  /// Whether all points agree, and the elements lie on different sides.
-  bool AreAlike(const ElementFace& other, std::span<const FacePoint> points,
-    const std::array<std::size_t, 4>& turned, std::size_t corners)
+  /// The map that takes corner c to corner `turned[c]`.
+  static FaceTurn TurnOf(const std::array<std::size_t, 4>& turned, std::size_t corners)
   {
     constexpr FacePoint kPlaces[2][4] = { { { 0, 0 }, { 1, 0 }, { 0, 1 }, {} },
       { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } };
     const auto& place = kPlaces[corners - 3];
-    const FacePoint& origin = place[turned[0]];
-    const FacePoint& first = place[turned[1]];
-    const FacePoint& second = place[turned[corners - 1]];
+    return { place[turned[0]], place[turned[1]], place[turned[corners - 1]] };
+  }
+
+  /// Whether all points agree, and the elements lie on different sides.
+  bool AreAlike(const ElementFace& other, std::span<const FacePoint> points, const FaceTurn& turn)
+  {
     Turned.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      for (std::size_t d = 0; d < 2; ++d)
-      {
-        Turned[i][d] = origin[d] + points[i][0] * (first[d] - origin[d]) +
-          points[i][1] * (second[d] - origin[d]);
-      }
-    }
+    std::ranges::transform(
+      points, Turned.begin(), [&turn](const FacePoint& point) { return turn.At(point); });
     Sampler.Sample(other.element, other.face, Turned, Others);
     double sides = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -208,6 +211,12 @@ private:
   std::atomic<std::uint64_t> Packed{ kNone };
 };
 } // namespace
+
+std::optional<FaceTurn> FindFaceTurn(const Mesh& mesh, const FaceGrids& grids,
+  std::span<const Vec3> uncertainty, const ElementFace& one, const ElementFace& other)
+{
+  return Comparison(mesh, grids, uncertainty).Turn(one, other);
+}
 
 std::vector<ElementFace> FindFacePairs(const Mesh& mesh, const FaceNumbers& numbers,
   const FaceGrids& grids, std::span<const Vec3> uncertainty)

@@ -4,6 +4,7 @@
 #include "Base/Report.h"
 #include "Commands/CertifiedFacts.h"
 #include "Commands/ExtremeFacts.h"
+#include "Commands/JumpFacts.h"
 #include "Commands/WarpFacts.h"
 #include "Input/Input.h"
 #include "Input/OrderCounts.h"
@@ -37,6 +38,7 @@ struct InfoOptions
   bool certify = false;
   std::vector<std::string> certified;   ///< fields and expressions; none: all fields
   std::vector<std::string> extremes;    ///< fields and expressions
+  std::vector<std::string> jumps;       ///< fields and expressions
   std::optional<WarpRequest> warpLimit; ///< the displacement of which a limit is sought
 };
 
@@ -63,6 +65,7 @@ struct Facts
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
   std::optional<ExtremeFacts> extremes;    ///< on request
+  std::optional<JumpFacts> jumps;          ///< on request
   std::optional<WarpFacts> warp;           ///< on request
 };
 
@@ -245,6 +248,10 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     AddTo(table, input, *facts.extremes);
   }
+  if (facts.jumps)
+  {
+    AddTo(table, *facts.jumps);
+  }
   if (facts.warp)
   {
     AddTo(table, *facts.warp);
@@ -307,6 +314,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   {
     AddTo(summary, input, *facts.extremes);
   }
+  if (facts.jumps)
+  {
+    AddTo(summary, *facts.jumps);
+  }
   if (facts.warp)
   {
     AddTo(summary, *facts.warp);
@@ -333,6 +344,10 @@ void Info(const InfoOptions& options, const CommonOptions& common)
   if (!options.extremes.empty())
   {
     facts.extremes = FindExtremeFacts(input, options.extremes);
+  }
+  if (!options.jumps.empty())
+  {
+    facts.jumps = FindJumpFacts(input, options.jumps);
   }
   if (options.warpLimit)
   {
@@ -361,6 +376,7 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
     command, "--field", [options](const std::string& name) { options->certified.push_back(name); });
   Bind(command, "--extremes",
     [options](const std::string& name) { options->extremes.push_back(name); });
+  Bind(command, "--jumps", [options](const std::string& name) { options->jumps.push_back(name); });
   Bind(command, "--warp-limit",
     [options](const std::string& text)
     { ReadWarp("--warp-limit", text, options->warpLimit.emplace()); });
