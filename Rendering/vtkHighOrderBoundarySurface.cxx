@@ -69,6 +69,22 @@ vtkIdType vtkHighOrderBoundarySurface::GetElement(int index)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderBoundarySurface::SetInnerFaces(bool inner)
+{
+  if (this->Choice->inner != inner)
+  {
+    this->Choice->inner = inner;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHighOrderBoundarySurface::GetInnerFaces()
+{
+  return this->Choice->inner;
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const pixelexact::Surface> vtkHighOrderBoundarySurface::MakeSurface(
   const std::shared_ptr<const pixelexact::HighOrderModel>& model,
   const pixelexact::SurfaceSearch& /*search*/)
@@ -90,5 +106,6 @@ void vtkHighOrderBoundarySurface::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << element;
   }
+  os << "\n" << indent << "InnerFaces: " << this->Choice->inner;
   os << (*this->Choice == pixelexact::BoundaryChoice() ? " (the boundary of the mesh)\n" : "\n");
 }

@@ -4,7 +4,7 @@
  * @brief   faces of elements as a cut-surface
  *
  * The faces belong to the mapper's mesh: its boundary (the default), parts of the boundary by their
- * attributes, or all faces of some elements. Selections are combined.
+ * attributes, all faces of some elements, or the faces between elements. Selections are combined.
  */
 
 #ifndef vtkHighOrderBoundarySurface_h
@@ -50,6 +50,18 @@ public:
   void AddElement(vtkIdType element);
   int GetNumberOfElements();
   vtkIdType GetElement(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the faces between elements are selected, with the values of the element with the lower
+   * number; false by default. Hanging faces are drawn from both sides, faces that others cover in
+   * part are left out.
+   */
+  void SetInnerFaces(bool inner);
+  bool GetInnerFaces();
+  void InnerFacesOn() { this->SetInnerFaces(true); }
+  void InnerFacesOff() { this->SetInnerFaces(false); }
   ///@}
 
 #ifndef __VTK_WRAP__

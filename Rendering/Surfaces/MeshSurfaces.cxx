@@ -126,6 +126,24 @@ std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryCho
         choice.elements.end();
     },
     faces);
+  if (choice.inner)
+  {
+    const FaceTable& table = model.Faces();
+    const std::size_t before = faces.size();
+    AddFaces(
+      model.GetMesh(),
+      [&table](int element, int face)
+      {
+        const FaceKind kind = table.KindOf(element, face);
+        return kind == FaceKind::Hanging ||
+          (kind == FaceKind::Interior && table.NeighbourOf(element, face).element > element);
+      },
+      faces);
+    if (faces.size() == before)
+    {
+      throw Error("the mesh has no face between elements; choose another surface");
+    }
+  }
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;

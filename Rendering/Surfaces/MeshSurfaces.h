@@ -14,19 +14,23 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// A choice of elements' faces. Without attributes and elements, it is the boundary of the mesh,
-/// including the uncovered parts of partly covered faces.
+/// A choice of elements' faces. Without any choice, it is the boundary of the mesh, including the
+/// uncovered parts of partly covered faces.
 struct BoundaryChoice
 {
   std::vector<int> attributes; ///< of the boundary, as numbered by the solver
   /// All faces of these elements, by the numbers of their source cells; for composite data, those
   /// of every block.
   std::vector<std::int64_t> elements;
+  /// The faces between elements: once where whole faces meet, with the values of the element with
+  /// the lower number. Hanging faces are there from both sides; faces that others cover in part are
+  /// left out.
+  bool inner = false;
 
   bool operator==(const BoundaryChoice&) const = default;
 };
 
-/// Throws Error if the mesh lacks an element or attribute.
+/// Throws Error if the mesh lacks an element or attribute, or has no face between elements.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> MakeBoundary(
   const std::shared_ptr<const HighOrderModel>& model, const BoundaryChoice& choice);
 

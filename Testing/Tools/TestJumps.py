@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, DATA, ToolTest, case, plain_grid, read_csv
+from tool import CUBE, DATA, ToolTest, case, plain_grid, read_buffers, read_csv
 
 
 def cubes(boxes):
@@ -117,6 +117,29 @@ class Jumps(ToolTest):
         found = self.jumps(*files, "--jumps", "u")
         self.assertLess(found["largest"], 1e-8)
         self.assertEqual(found["worst"][0]["position"][2], 0.0)
+
+    def test_faces_as_a_surface(self):
+        path = self.write([
+            ([0, 0, 0], 1.0, lambda x, y, z: x),
+            ([1, 0, 0], 1.0, lambda x, y, z: 2 * x + y),
+        ])  # fmt: skip
+        image, buffers = self.folder / "i.png", self.folder / "b.vti"
+        view = ["--camera-position", "5,0.5,0.5", "--focal-point", "1,0.5,0.5", "--view-up", "0,0,1",
+            "--parallel-scale", 0.6, "--size", "48x48", "--output", image, "--buffers", buffers]
+        self.succeeds("render", path, "--faces", "--field", "jump(u)", *view)
+        found = read_buffers(buffers)
+        exact = found["Verdict"] == 1
+        x = found["Position"][exact]
+        # The face is 1 / 1.2 of the picture's side.
+        self.assertEqual(exact.sum(), 40 * 40)
+        np.testing.assert_allclose(x[:, 0], 1.0, rtol=0, atol=1e-15)
+        np.testing.assert_allclose(found["Value"][exact], 1.0 + x[:, 1], rtol=0, atol=1e-13)
+        self.assertEqual(set(found["Element"][exact].tolist()), {0})
+        # The boundary, which has no jumps, is another surface.
+        self.succeeds("render", path, "--faces", "--boundary", "--field", "u", *view)
+        self.assertEqual((read_buffers(buffers)["Position"][exact][:, 0] == 2.0).all(), True)
+        alone = self.write([([0, 0, 0], 1.0, lambda x, y, z: x)])
+        self.fails(1, "render", alone, "--faces", "--field", "u", *view, names=["--faces", "no face"])
 
     def test_refusals(self):
         path = case("toroid_hex_g3_p6")

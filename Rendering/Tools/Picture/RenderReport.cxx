@@ -261,7 +261,8 @@ void WarnOf(const Shot& shot, const Frame& frame, const Found& found)
       "; NaN is shown in the colour that --nan-color chooses");
     if (HasJumps(shot.scene))
     {
-      Warn("jump(...) has values only on faces between two elements (--boundary=element:NUMBER,... "
+      Warn("jump(...) has values only on faces between two elements (--faces or "
+           "--boundary=element:NUMBER,... "
            "shows faces); --show jumps paints by how much a field jumps where a surface crosses "
            "faces");
     }

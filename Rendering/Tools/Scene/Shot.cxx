@@ -253,10 +253,11 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, const Shot* befo
   const std::string field = FieldToLoad(options, shot.settings);
   if (AreSeveralProcesses())
   {
-    if (options.surfaces.CountWalls() > 0)
+    if (options.surfaces.CountWalls() > 0 || options.surfaces.HasInnerFaces())
     {
-      throw UsageError("--jump-walls: what lies on both sides of a face is known to one process "
-                       "that has the whole mesh; start one, without mpirun");
+      throw UsageError(std::string(options.surfaces.HasInnerFaces() ? "--faces" : "--jump-walls") +
+        ": what lies on both sides of a face is known to one process "
+        "that has the whole mesh; start one, without mpirun");
     }
     shot.input = LoadPart(options.input, field, stopwatch);
     shot.input = WithNeededElements(std::move(shot.input), options.surfaces);

@@ -59,6 +59,7 @@ void SurfaceOptions::AddTo(CLI::App& command)
     command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); });
   Bind(command, "--boundary",
     [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); });
+  Bind(command, "--faces", InnerFaces);
   Bind(command, "--jump-walls", Walls);
 }
 
@@ -77,8 +78,8 @@ SurfaceOptions::Described SurfaceOptions::First() const
 
 std::size_t SurfaceOptions::CountGiven() const
 {
-  std::size_t count =
-    Planes.size() + Files.size() + Patches.size() + Isos.size() + Boundaries.size() + CountWalls();
+  std::size_t count = Planes.size() + Files.size() + Patches.size() + Isos.size() +
+    Boundaries.size() + (InnerFaces ? 1 : 0) + CountWalls();
   for (const auto& [name, given] : Numbers)
   {
     count += given.size();
@@ -152,6 +153,16 @@ std::vector<GivenSurface> SurfaceOptions::Make() const
     surfaces.push_back(OfMesh("--boundary",
       [choice](const std::shared_ptr<const HighOrderModel>& model)
       { return MakeBoundary(model, choice); }));
+  }
+  if (InnerFaces)
+  {
+    surfaces.push_back(OfMesh("--faces",
+      [](const std::shared_ptr<const HighOrderModel>& model)
+      {
+        BoundaryChoice choice;
+        choice.inner = true;
+        return MakeBoundary(model, choice);
+      }));
   }
   for (std::size_t k = 0; k < CountWalls(); ++k)
   {

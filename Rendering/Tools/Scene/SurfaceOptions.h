@@ -44,6 +44,9 @@ public:
   /// The number of walls of iso-surfaces, which are the last surfaces.
   [[nodiscard]] std::size_t CountWalls() const { return Walls ? Isos.size() : 0; }
 
+  /// Whether the faces between elements are a surface.
+  [[nodiscard]] bool HasInnerFaces() const { return InnerFaces; }
+
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
   [[nodiscard]] const std::vector<std::string>& PatchFiles() const { return Patches; }
   [[nodiscard]] const std::vector<BoundaryChoice>& BoundaryChoices() const { return Boundaries; }
@@ -69,6 +72,7 @@ private:
   std::vector<std::string> Patches;                                ///< files of patches
   std::vector<IsoText> Isos;
   std::vector<BoundaryChoice> Boundaries;
-  bool Walls = false; ///< of the iso-surfaces, where fields jump
+  bool InnerFaces = false; ///< those between elements
+  bool Walls = false;      ///< of the iso-surfaces, where fields jump
 };
 } // namespace pixelexact
