@@ -98,6 +98,22 @@ class Surfaces(unittest.TestCase):
             xi = scene.buffer("Xi")[exact]
             self.assertLess(np.abs(np.abs(xi).max(axis=1) - 1).max(), 1e-14)
 
+    def test_faces_between_elements(self):
+        grid = pixelexact.read(os.path.join(DATA, "periodic_hex_dg_g3_p4.vtu"))
+        faces = pixelexact.vtkHighOrderBoundarySurface()
+        self.assertFalse(faces.GetInnerFaces())
+        faces.InnerFacesOn()
+        picture = pixelexact.render(grid, "jump(u)", surface=faces, size=(60, 50), view="iso")
+        exact = picture.verdicts == 1
+        self.assertGreater(exact.sum(), 500)
+        # All points lie on faces of elements, and have an element on the other side.
+        self.assertTrue(np.isfinite(picture.values[exact]).all())
+        xi = np.abs(picture.xi[exact])
+        self.assertTrue((xi.max(axis=1) >= 1.0 - 1e-9).all())
+        faces.InnerFacesOff()
+        boundary = pixelexact.render(grid, "jump(u)", surface=faces, size=(60, 50), view="iso")
+        self.assertTrue(np.isnan(boundary.values[boundary.verdicts == 1]).all())
+
     def test_surfaces_that_cannot_be_drawn_say_why(self):
         iso = pixelexact.vtkHighOrderIsoSurface()
         iso.SetFieldName("u")
