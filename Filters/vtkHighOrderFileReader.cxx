@@ -6,6 +6,7 @@
 #include "Files/SolverGrid.h"
 #include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
+#include "Grids/ColorDefaults.h"
 #include "Grids/FilterWork.h"
 #include "Parts/PartExchange.h"
 #include "vtkHighOrderGrid.h"
@@ -35,6 +36,7 @@ void vtkHighOrderFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName.empty() ? "none" : this->FileName) << "\n";
   os << indent << "Cells: " << (this->Cells == CORNER_CELLS ? "corners" : "Lagrange") << "\n";
   os << indent << "MaximumNumberOfNodes: " << this->MaximumNumberOfNodes << "\n";
+  os << indent << "ColorDefaults: " << this->ColorDefaults << "\n";
   os << indent << "Steps: " << this->Times.size() << "\n";
 }
 
@@ -203,6 +205,10 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     for (auto& field : model.fields)
     {
       StoreSolverField(std::move(field), *this->MeshLayout, output);
+    }
+    if (this->ColorDefaults)
+    {
+      StoreColorDefaults(output);
     }
     ReturnFreedMemory();
     if (!this->Times.empty())

@@ -93,6 +93,17 @@ public:
   vtkGetMacro(MaximumNumberOfNodes, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Whether the output is prepared for programs that colour by arrays: its first field becomes the
+   * active scalars, and the ranges of the fields' arrays are those of the fields (ColorDefaults.h),
+   * which takes time. The default is off.
+   */
+  vtkSetMacro(ColorDefaults, bool);
+  vtkGetMacro(ColorDefaults, bool);
+  vtkBooleanMacro(ColorDefaults, bool);
+  ///@}
+
   /**
    * Whether a file begins as the reader's files do, for programs that choose a reader by content.
    * 1: it does, although reading may still fail. 0: it does not, or it is not a file.
@@ -146,6 +157,7 @@ private:
 
   int Cells = LAGRANGE_CELLS;
   vtkIdType MaximumNumberOfNodes = 4'000'000;
+  bool ColorDefaults = false;
   std::vector<double> Times;
   vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; shared by steps
   std::unique_ptr<pixelexact::CellLayout> MeshLayout;

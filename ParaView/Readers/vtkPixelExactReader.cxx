@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelExactReader.h"
 
+#include "Grids/ColorDefaults.h"
 #include "HighOrderArrays.h"
 #include "vtkHighOrderFileReader.h"
 
@@ -37,19 +38,6 @@ void RemoveField(vtkUnstructuredGrid* grid, const std::string& name)
   }
   grid->GetPointData()->RemoveArray(name.c_str());
   grid->GetCellData()->RemoveArray(name.c_str());
-}
-
-/// Makes the first field the one that ParaView takes where it takes one.
-void ChooseScalars(vtkUnstructuredGrid* grid)
-{
-  for (const std::string& name : pixelexact::StoredFieldNames(grid))
-  {
-    if (grid->GetPointData()->SetActiveScalars(name.c_str()) >= 0 ||
-      grid->GetCellData()->SetActiveScalars(name.c_str()) >= 0)
-    {
-      return;
-    }
-  }
 }
 } // namespace
 
@@ -198,7 +186,7 @@ int vtkPixelExactReader::RequestData(
     }
   }
   this->PrepareTime.Modified(); // what was offered now needs nothing else to be read
-  ChooseScalars(output);
+  pixelexact::StoreColorDefaults(output);
   vtkInformation* made = grid->GetInformation();
   if (made->Has(vtkDataObject::DATA_TIME_STEP()))
   {

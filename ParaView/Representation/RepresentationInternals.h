@@ -5,6 +5,7 @@
 #include "SurfaceFile.h"
 #include "ViewNotes.h"
 #include "vtkHighOrderBoundarySurface.h"
+#include "vtkHighOrderClippedSurface.h"
 #include "vtkHighOrderIsoSurface.h"
 #include "vtkHighOrderJumpWalls.h"
 #include "vtkHighOrderLayer.h"
@@ -38,6 +39,10 @@ struct vtkPixelExactRepresentation::Internals
   int Surface = CUT;
   vtkSmartPointer<vtkImplicitFunction> Cut;
   vtkNew<vtkHighOrderBoundarySurface> Boundary;
+  vtkNew<vtkHighOrderClippedSurface> Clipped;
+  vtkWeakPointer<vtkDataObject> Described; ///< whose slices or clips the mapper draws
+  vtkMTimeType DescribedTime = 0;
+  bool LacksDescription = false; ///< reported once
   vtkNew<vtkHighOrderIsoSurface> Iso;
   bool HasWalls = false;
   vtkNew<vtkHighOrderJumpWalls> Walls; ///< of the iso-surface

@@ -42,7 +42,8 @@ bool vtkPixelExactRepresentation::Internals::HasLines()
 void vtkPixelExactRepresentation::AskOthers()
 {
   Internals& my = *this->Data;
-  const bool isBoundary = my.Surface == BOUNDARY;
+  // Processes without cells have no description, so all of them exchange faces for slices as well.
+  const bool isBoundary = my.Surface == BOUNDARY || my.Surface == SLICE_OR_CLIP;
   if (!Internals::HasSeveralProcesses() || !(isBoundary || my.HasLines()))
   {
     return;

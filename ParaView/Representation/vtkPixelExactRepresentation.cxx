@@ -181,7 +181,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
       my.Mapper->SetInputData(delivered);
       my.Mapper->SetScalarVisibility(!my.ColorArray.empty() && !my.HasOtherColors(delivered));
       my.Delivered = delivered;
-      this->ChooseSurface();
+      this->ChooseSurface(delivered);
     }
     if (isThere || Internals::HasSeveralProcesses())
     {
@@ -192,10 +192,14 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::ChooseSurface()
+void vtkPixelExactRepresentation::ChooseSurface(vtkDataObject* delivered)
 {
   Internals& my = *this->Data;
   this->ChooseWalls();
+  if (my.Surface != SLICE_OR_CLIP)
+  {
+    my.Described = nullptr;
+  }
   switch (my.Surface)
   {
     case BOUNDARY:
@@ -209,6 +213,9 @@ void vtkPixelExactRepresentation::ChooseSurface()
       my.Mapper->SetCutFunction(nullptr);
       my.Mapper->SetSurface(my.OfFile);
       my.Actor->SetVisibility(my.Actor->GetVisibility() && my.OfFile != nullptr);
+      break;
+    case SLICE_OR_CLIP:
+      this->ChooseSliceOrClip(delivered);
       break;
     default:
       my.Mapper->SetSurface(nullptr);

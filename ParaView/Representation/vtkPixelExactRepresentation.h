@@ -45,10 +45,11 @@ public:
    */
   enum Surfaces
   {
-    CUT = 0,            ///< where the cut function is zero
-    BOUNDARY = 1,       ///< of the mesh, or those of its parts that have an attribute
-    ISO_SURFACE = 2,    ///< where a field has a value
-    SURFACE_OF_FILE = 3 ///< triangles or patches, see SetSurfaceFile
+    CUT = 0,             ///< where the cut function is zero
+    BOUNDARY = 1,        ///< of the mesh, or those of its parts that have an attribute
+    ISO_SURFACE = 2,     ///< where a field has a value
+    SURFACE_OF_FILE = 3, ///< triangles or patches, see SetSurfaceFile
+    SLICE_OR_CLIP = 4    ///< what PixelExact Slice and PixelExact Clip describe in the data
   };
   void SetSurface(int surface);
 
@@ -239,7 +240,11 @@ private:
   vtkPixelExactRepresentation(const vtkPixelExactRepresentation&) = delete;
   void operator=(const vtkPixelExactRepresentation&) = delete;
 
-  void ChooseSurface();
+  void ChooseSurface(vtkDataObject* delivered);
+  /**
+   * Draws the slices that the data describe or, without slices, the clipped mesh.
+   */
+  void ChooseSliceOrClip(vtkDataObject* delivered);
   void ChooseWalls();
   void ReadSurfaceFile();
   std::string TextAt(int x, int y);

@@ -10,9 +10,12 @@
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
@@ -44,6 +47,22 @@ vtkPVXMLElement* Untraced(vtkPVXMLElement* hints)
     untraced->AddNestedElement(link);
   }
   return untraced;
+}
+
+/// Whether a view is in the window of the client, whose interactors are Qt's.
+bool HasWindow(vtkSMSessionProxyManager* proxies)
+{
+  for (unsigned int i = 0; i < proxies->GetNumberOfProxies("views"); ++i)
+  {
+    const char* const name = proxies->GetProxyName("views", i);
+    auto* const view = vtkSMRenderViewProxy::SafeDownCast(proxies->GetProxy("views", name));
+    vtkRenderWindowInteractor* const interactor = view != nullptr ? view->GetInteractor() : nullptr;
+    if (interactor != nullptr && std::string_view(interactor->GetClassName()).starts_with("QVTK"))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 } // namespace
 
@@ -122,11 +141,44 @@ std::string vtkSMPixelExactRepresentationProxy::TextAt(int x, int y)
 }
 
 //------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::ChooseFirstSurface()
+{
+  vtkSMProxy* const parent = this->GetTrueParentProxy();
+  vtkSMProxy* const input = vtkSMPropertyHelper(parent, "Input", true).GetAsProxy();
+  vtkPVXMLElement* const hints = input != nullptr ? input->GetHints() : nullptr;
+  vtkPVXMLElement* const hint =
+    hints != nullptr ? hints->FindNestedElementByName("PixelExactSurface") : nullptr;
+  int surface = 0;
+  if (hint != nullptr && hint->GetScalarAttribute("value", &surface) != 0)
+  {
+    vtkSMPropertyHelper(this, "PixelExactSurface").Set(surface);
+    this->UpdateProperty("PixelExactSurface");
+    return;
+  }
+  vtkSMProxy* const plane = vtkSMPropertyHelper(this, "CutFunction").GetAsProxy();
+  if (plane != nullptr && plane->GetProperty("Normal") != nullptr &&
+    HasWindow(this->GetSessionProxyManager()))
+  {
+    const double normal[3] = { 0.0, 0.0, 1.0 };
+    vtkSMPropertyHelper(plane, "Normal").Set(normal, 3);
+    plane->UpdateVTKObjects();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSMPixelExactRepresentationProxy::FollowType()
 {
   vtkSMProxy* const parent = this->GetTrueParentProxy();
   const char* const type = vtkSMPropertyHelper(parent, "Representation").GetAsString();
   const bool isUsed = type != nullptr && std::string_view(type) == "PixelExact";
+  // ParaView chooses the first type before it registers the representation, as states do, which
+  // have a surface.
+  vtkSMSessionProxyManager* const proxies = this->GetSessionProxyManager();
+  if (isUsed && !proxies->GetInLoadXMLState() &&
+    proxies->GetProxyName("representations", parent) == nullptr)
+  {
+    this->ChooseFirstSurface();
+  }
   const auto iterator = vtkSmartPointer<vtkSMPropertyIterator>::Take(this->NewPropertyIterator());
   for (iterator->Begin(); !iterator->IsAtEnd(); iterator->Next())
   {
@@ -153,6 +205,11 @@ void vtkSMPixelExactRepresentationProxy::PropertyPushed(
 //------------------------------------------------------------------------------
 void vtkSMPixelExactRepresentationProxy::RescaleToVisible()
 {
+  vtkSMViewProxy* const view = vtkSMViewProxy::FindView(this->GetTrueParentProxy());
+  if (view == nullptr)
+  {
+    return; // nobody clicked: ParaView pushes all properties before it shows a representation
+  }
   this->UpdatePropertyInformation(this->GetProperty("VisibleRange"));
   double range[2];
   vtkSMPropertyHelper(this, "VisibleRange").Get(range, 2);
@@ -168,10 +225,7 @@ void vtkSMPixelExactRepresentationProxy::RescaleToVisible()
   {
     vtkSMTransferFunctionProxy::RescaleTransferFunction(opacity, range);
   }
-  if (vtkSMViewProxy* const view = vtkSMViewProxy::FindView(this->GetTrueParentProxy()))
-  {
-    view->StillRender();
-  }
+  view->StillRender();
 }
 
 //------------------------------------------------------------------------------

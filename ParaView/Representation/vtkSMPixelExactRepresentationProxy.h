@@ -49,6 +49,12 @@ private:
   std::string TextAt(int x, int y);
   void PropertyPushed(vtkObject* caller, unsigned long event, void* name);
   void RescaleToVisible();
+  /**
+   * Sets the Surface that the input's XML hint `PixelExactSurface` gives. Without a hint, where the
+   * client has a window, the plane faces the camera of a new view, which would see the default
+   * plane edge-on; scripts keep the default.
+   */
+  void ChooseFirstSurface();
   void FollowType();
 
   vtkWeakPointer<vtkPixelExactRepresentation> Shown;

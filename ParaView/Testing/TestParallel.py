@@ -16,6 +16,8 @@ NEK = ("nek_tet_varp/nek_tet_varp.xml",)
 CASES = {
     "cut": (("cut", "toroid_hex_g3_p6.vtu"), (2, 4), 0, 0),
     "iso": (("iso", "escher_tet_g3_p3.vtu"), (2,), 0, 0),
+    "slice": (("slice", "toroid_hex_g3_p6.vtu"), (2,), 0, 0),
+    "clip": (("clip", "toroid_hex_g3_p6.vtu"), (3,), 0, 0),
     "packed": (("packed", "toroid_hex_g3_p6.vtu"), (2,), 0, 0),
     # Seen through, so that walls between the parts would show; blending rounds once more. Not of four:
     # ParaView blends processes in the order of their boxes, and theirs overlap.

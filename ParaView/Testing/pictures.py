@@ -28,6 +28,12 @@ if kind == "packed":
     # ParaView 6.1 has renamed it.
     ghosts = GhostCellsGenerator if "GhostCellsGenerator" in globals() else GhostCells
     reader = ghosts(RedistributeDataSet(PixelExactPack(Input=reader)))
+if kind == "slice":
+    reader = PixelExactSlice(Input=reader, SliceType="Sphere")
+    reader.SliceType.Center, reader.SliceType.Radius = [0.9, 0, 0], 0.5
+elif kind == "clip":
+    reader = PixelExactClip(Input=reader, ClipType="Plane")
+    reader.ClipType.Origin, reader.ClipType.Normal = [0, 0, 0.1], [0.3, 0.2, 1]
 shown = Show(reader, view)
 shown.SetRepresentationType("PixelExact")
 if kind.startswith("boundary"):
