@@ -25,6 +25,11 @@ void vtkPixelExactDifference::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
+void vtkPixelExactDifference::SetSecondFieldName(std::string name)
+{
+  this->Superclass::SetSecondFieldName(name == "Same Name" ? "" : name);
+}
+
 int vtkPixelExactDifference::RequestUpdateExtent(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -13,6 +13,7 @@
 #include "vtkHighOrderDifference.h"
 
 #include <memory> // for the meshes
+#include <string> // for the field
 
 namespace pixelexact
 {
@@ -25,6 +26,11 @@ public:
   static vtkPixelExactDifference* New();
   vtkTypeMacro(vtkPixelExactDifference, vtkHighOrderDifference);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The entry "Same Name" of ParaView's list is the field of the same name.
+   */
+  void SetSecondFieldName(std::string name) override;
 
 protected:
   vtkPixelExactDifference();

@@ -90,6 +90,38 @@ class Filters(unittest.TestCase):
         self.assertTrue((values <= upper[element] + 1e-12).all())
         self.assertGreater(cell_array(certified, "JacobianLower").min(), 0.0)
 
+    def test_lists_of_fields(self):
+        """Panels offer the input's fields."""
+        self.plain.UpdatePipeline()
+        other = simple.PixelExactConvert(self.plain)
+        other.UpdatePipeline()
+        for made, names in (
+            (simple.PixelExactWarp(Input=self.plain), ["Displacement"]),
+            (simple.PixelExactCertify(Input=self.plain), ["Field"]),
+            (simple.PixelExactContour(Input=self.plain), ["ContourBy"]),
+            (simple.PixelExactIntegrate(Input=other), ["Field", "IsoField"]),
+            (simple.PixelExactDifference(Input=other, Other=other), ["Field", "OtherField"]),
+        ):
+            for name in names:
+                domain = made.SMProxy.GetProperty(name).FindDomain("vtkSMArrayListDomain")
+                offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+                self.assertIn("u", offered, name)
+                self.assertEqual("Same Name" in offered, name == "OtherField")
+
+    def test_warp_by_an_expression(self):
+        """It replaces the field of the list: u moves points along z alone."""
+        moved = [
+            simple.PixelExactWarp(Input=self.plain, ScaleFactor=0.01, **chosen)
+            for chosen in (
+                {"Displacement": "u", "Direction": [0.0, 0.0, 1.0]},
+                {"Displacement": "attribute", "Expression": "vec(0,0,u)"},
+            )
+        ]
+        points = self.points + [0.0, 0.0, 0.005]
+        values = [scene.probe(one, points)["u"] for one in moved]
+        self.assertGreater(numpy.isfinite(values[0]).sum(), 50)
+        numpy.testing.assert_allclose(values[1], values[0], rtol=0, atol=1e-9)
+
     def test_certify_no_field(self):
         """What is chosen before the input is known, too, is no field."""
         self.plain.UpdatePipeline()
