@@ -8,6 +8,7 @@
 #include "Formats/SolverModel.h"
 #include "Grids/ColorDefaults.h"
 #include "Grids/FilterWork.h"
+#include "MessageWords.h"
 #include "Parts/PartExchange.h"
 #include "vtkHighOrderGrid.h"
 
@@ -80,7 +81,7 @@ int vtkHighOrderFileReader::RequestInformation(vtkInformation* /*request*/,
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
   if (!this->Times.empty())
@@ -230,7 +231,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     // An incomplete result is not kept.
     output->Initialize();
     this->MeshGrid = nullptr;
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
 }

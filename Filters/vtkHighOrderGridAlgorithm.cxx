@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderGridAlgorithm.h"
 
+#include "MessageWords.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkDemandDrivenPipeline.h"
@@ -56,5 +57,5 @@ vtkTypeBool vtkHighOrderGridAlgorithm::ProcessRequest(
 void vtkHighOrderGridAlgorithm::Report(const std::string& line)
 {
   this->Diagnostics.push_back(line);
-  vtkWarningMacro(<< line);
+  vtkWarningMacro(<< pixelexact::Worded(line));
 }

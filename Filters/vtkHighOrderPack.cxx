@@ -4,6 +4,7 @@
 #include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
 #include "Grids/FilterInput.h"
+#include "MessageWords.h"
 #include "PackedArrays.h"
 #include "Parts/PartExchange.h"
 
@@ -101,7 +102,7 @@ int vtkHighOrderPack::RequestData(vtkInformation* /*request*/, vtkInformationVec
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
 }

@@ -5,6 +5,7 @@
 #include "Files/GridParts.h"
 #include "Files/TimeSeries.h"
 #include "Grids/FilterWork.h"
+#include "MessageWords.h"
 #include "Parts/PartExchange.h"
 
 #include "vtkInformation.h"
@@ -139,7 +140,7 @@ int vtkHighOrderSeriesReader::RequestInformation(vtkInformation* /*request*/,
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
   if (this->Series->timed)
@@ -172,7 +173,7 @@ int vtkHighOrderSeriesReader::RequestData(vtkInformation* /*request*/,
       this->Diagnostics = read.notes;
       for (const auto& line : this->Diagnostics)
       {
-        vtkWarningMacro(<< line);
+        vtkWarningMacro(<< pixelexact::Worded(line));
       }
       return true;
     });

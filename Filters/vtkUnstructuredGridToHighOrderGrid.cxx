@@ -9,6 +9,7 @@
 #include "Core/Base/Error.h"
 #include "Grids/FilterInput.h"
 #include "HighOrderArrays.h"
+#include "MessageWords.h"
 #include "PackedArrays.h"
 #include "Parts/PartExchange.h"
 #include "vtkHighOrderGrid.h"
@@ -134,7 +135,7 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
     {
       output->Initialize();
     }
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
 }

@@ -5,6 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 #include "HighOrderModel.h"
+#include "MessageWords.h"
 #include "Surfaces/SeenCut.h"
 #include "Surfaces/VtkLinearSurface.h"
 #include "Surfaces/VtkSurface.h"
@@ -279,7 +280,7 @@ int vtkHighOrderComparison::RequestData(vtkInformation* /*request*/,
   catch (const std::exception& error) // memory may run out too
   {
     output->Initialize();
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
 }

@@ -5,6 +5,7 @@
 #include "Core/Location/Locator.h"
 #include "Frames/DifferenceImage.h"
 #include "HighOrderModel.h"
+#include "MessageWords.h"
 #include "Surfaces/SeenCut.h"
 #include "Surfaces/VtkSurface.h"
 #include "Views/FieldChoice.h"
@@ -188,7 +189,7 @@ int vtkHighOrderDifference::RequestData(vtkInformation* /*request*/,
   catch (const std::exception& error) // memory may run out too
   {
     output->Initialize();
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
 }

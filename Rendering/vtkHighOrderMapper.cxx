@@ -9,6 +9,7 @@
 #include "Frames/MapperScene.h"
 #include "Frames/ViewRequest.h"
 #include "HighOrderModel.h"
+#include "MessageWords.h"
 #include "Views/MapperExecutive.h"
 #include "Views/RenderLater.h"
 #include "Views/StockSettings.h"
@@ -313,7 +314,7 @@ void vtkHighOrderMapper::SetColorMap(const std::string& name)
   }
   catch (const pixelexact::Error& error)
   {
-    vtkErrorMacro("SetColorMap: " << error.what());
+    vtkErrorMacro("SetColorMap: " << pixelexact::Worded(error.what()));
   }
 }
 
@@ -377,7 +378,7 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
   }
   catch (const pixelexact::Error& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
   }
   if (frame == nullptr)
   {
@@ -497,7 +498,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     drawer.DropFrame(renderer, actor);
     for (const std::string& text : drawer.Complain(renderer, actor, { error.what() }))
     {
-      vtkErrorMacro(<< text);
+      vtkErrorMacro(<< pixelexact::Worded(text));
     }
   }
 }
@@ -564,7 +565,7 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
   for (const std::string& text :
     drawer.Complain(renderer, actor, this->Complaints(*drawer.LastRenderer(), actor)))
   {
-    vtkWarningMacro(<< text);
+    vtkWarningMacro(<< pixelexact::Worded(text));
   }
 }
 

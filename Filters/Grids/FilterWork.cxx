@@ -2,6 +2,7 @@
 #include "Grids/FilterWork.h"
 
 #include "Core/Base/Error.h"
+#include "MessageWords.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -107,7 +108,7 @@ int FillOutput(vtkAlgorithm* filter, vtkDataObject* output, const std::function<
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorWithObjectMacro(filter, << error.what());
+    vtkErrorWithObjectMacro(filter, << pixelexact::Worded(error.what()));
     return 0;
   }
 }

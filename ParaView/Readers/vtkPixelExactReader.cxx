@@ -3,6 +3,7 @@
 
 #include "Grids/ColorDefaults.h"
 #include "HighOrderArrays.h"
+#include "MessageWords.h"
 #include "vtkHighOrderFileReader.h"
 
 #include "Core/Base/Error.h"
@@ -141,7 +142,7 @@ int vtkPixelExactReader::RequestInformation(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
     return 0;
   }
   this->GetSource()->UpdateInformation();

@@ -4,6 +4,7 @@
 
 #include "Core/Base/Error.h"
 #include "HighOrderModel.h"
+#include "MessageWords.h"
 #include "Parts/PartBorders.h"
 
 #include "vtkCompositeDataSet.h"
@@ -83,6 +84,6 @@ void vtkPixelExactRepresentation::AskOthers()
   catch (const pixelexact::Error& error)
   {
     my.Shown = nullptr;
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< pixelexact::Worded(error.what()));
   }
 }

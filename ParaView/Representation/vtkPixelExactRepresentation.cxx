@@ -4,6 +4,7 @@
 #include "CompositeParts.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
+#include "MessageWords.h"
 #include "RepresentationInternals.h"
 
 #include "Core/Base/Error.h"
@@ -135,7 +136,7 @@ int vtkPixelExactRepresentation::RequestData(
     catch (const pixelexact::Error& error)
     {
       my.Shown = nullptr;
-      vtkErrorMacro(<< error.what());
+      vtkErrorMacro(<< pixelexact::Worded(error.what()));
     }
     this->AskOthers();
   }
@@ -258,7 +259,7 @@ void vtkPixelExactRepresentation::ReadSurfaceFile()
     if (my.FailedFile != my.SurfaceFile)
     {
       my.FailedFile = my.SurfaceFile;
-      vtkErrorMacro(<< error.what());
+      vtkErrorMacro(<< pixelexact::Worded(error.what()));
     }
   }
 }

@@ -206,12 +206,14 @@ void vtkSMPixelExactRepresentationProxy::PropertyPushed(
 void vtkSMPixelExactRepresentationProxy::RescaleToVisible()
 {
   vtkSMViewProxy* const view = vtkSMViewProxy::FindView(this->GetTrueParentProxy());
-  if (view == nullptr)
+  double range[2];
+  this->UpdatePropertyInformation(this->GetProperty("FieldRange"));
+  vtkSMPropertyHelper(this, "FieldRange").Get(range, 2);
+  if (view == nullptr || !(range[0] <= range[1]))
   {
-    return; // nobody clicked: ParaView pushes all properties before it shows a representation
+    return; // nobody clicked: ParaView pushes all properties before it first draws
   }
   this->UpdatePropertyInformation(this->GetProperty("VisibleRange"));
-  double range[2];
   vtkSMPropertyHelper(this, "VisibleRange").Get(range, 2);
   vtkSMProxy* const map = vtkSMPropertyHelper(this, "LookupTable").GetAsProxy();
   if (map == nullptr || !(range[0] <= range[1]))
