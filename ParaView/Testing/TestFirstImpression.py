@@ -1,11 +1,34 @@
 """What a reader shows without any choice: exact pixels, coloured over the field's own range."""
 
+import json
+import os
+import shutil
+import subprocess
 import unittest
 
 import numpy
 from paraview import simple
 
+import pictures
 import scene
+
+
+# In ParaView's own window.
+CLIENT = """
+import json, os, traceback
+from paraview.simple import *
+try:
+    display = Show(PixelExactGridReader(FileName=[{file!r}]))
+    view = GetActiveView()
+    ResetCamera(view)
+    SaveScreenshot({picture!r}, view, ImageResolution=[320, 240])
+    found = dict(type=display.SMProxy.GetProperty("Representation").GetElement(0), normal=[float(x) for x in display.CutFunction.Normal])
+    with open({numbers!r}, "w") as out:
+        json.dump(found, out)
+except Exception:
+    traceback.print_exc()
+os._exit(0)
+"""
 
 
 def toroid():
@@ -98,6 +121,32 @@ class FirstImpression(unittest.TestCase):
             self.assertLessEqual(lower, values.min())
             self.assertGreaterEqual(upper, values.max())
             self.assertLess(upper - lower, 4.0 * (values.max() - values.min()))
+
+    @unittest.skipIf(shutil.which("paraview") is None, "there is no window's ParaView")
+    def test_window(self):
+        """The first plane faces the camera, which would see ParaView's default plane edge-on."""
+        names = {
+            key: os.path.join(scene.PICTURES, "first_window" + end)
+            for key, end in (("picture", ".png"), ("numbers", ".json"), ("script", ".py"))
+        }
+        with open(names["script"], "w") as file:
+            file.write(CLIENT.format(file=scene.data("toroid_hex_g3_p6.vtu"), **names))
+        done = subprocess.run(
+            ["paraview", "--dr", "--script=" + names["script"]],
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in "PixelExact", "Error":
+            self.assertNotIn(word, done.stdout + done.stderr)
+        with open(names["numbers"]) as file:
+            found = json.load(file)
+        self.assertEqual(found, {"type": "PixelExact", "normal": [0, 0, 1]})
+        colors = pictures.read(names["picture"])[:, :3].astype(int)
+        # Red and blue values, which a gray background lacks.
+        self.assertGreater((colors[:, 0] - colors[:, 2] > 100).sum(), 300)
+        self.assertGreater((colors[:, 2] - colors[:, 0] > 100).sum(), 300)
 
     def test_filters(self):
         """Ours that return a mesh are shown as it was; ParaView's are shown as ParaView shows them."""
