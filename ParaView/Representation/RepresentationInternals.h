@@ -5,12 +5,12 @@
 #include "SurfaceFile.h"
 #include "ViewNotes.h"
 #include "vtkHighOrderBoundarySurface.h"
-#include "vtkHighOrderClippedSurface.h"
 #include "vtkHighOrderIsoSurface.h"
 #include "vtkHighOrderJumpWalls.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderMapper.h"
 #include "vtkHighOrderSurface.h"
+#include "vtkPixelExactClippedSurface.h"
 #include "vtkPixelExactRepresentation.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
@@ -39,7 +39,7 @@ struct vtkPixelExactRepresentation::Internals
   int Surface = CUT;
   vtkSmartPointer<vtkImplicitFunction> Cut;
   vtkNew<vtkHighOrderBoundarySurface> Boundary;
-  vtkNew<vtkHighOrderClippedSurface> Clipped;
+  vtkNew<vtkPixelExactClippedSurface> Clipped;
   vtkWeakPointer<vtkDataObject> Described; ///< whose slices or clips the mapper draws
   vtkMTimeType DescribedTime = 0;
   bool LacksDescription = false; ///< reported once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkHighOrderClippedSurface.h"
+#include "vtkPixelExactClippedSurface.h"
 
 #include "Surfaces/VtkSurface.h"
 
@@ -14,16 +14,16 @@
 #include <algorithm>
 #include <utility>
 
-vtkStandardNewMacro(vtkHighOrderClippedSurface);
+vtkStandardNewMacro(vtkPixelExactClippedSurface);
 
 //------------------------------------------------------------------------------
-vtkHighOrderClippedSurface::vtkHighOrderClippedSurface() = default;
+vtkPixelExactClippedSurface::vtkPixelExactClippedSurface() = default;
 
 //------------------------------------------------------------------------------
-vtkHighOrderClippedSurface::~vtkHighOrderClippedSurface() = default;
+vtkPixelExactClippedSurface::~vtkPixelExactClippedSurface() = default;
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::SetSurface(vtkHighOrderSurface* surface)
+void vtkPixelExactClippedSurface::SetSurface(vtkHighOrderSurface* surface)
 {
   if (this->Surface != surface)
   {
@@ -33,13 +33,13 @@ void vtkHighOrderClippedSurface::SetSurface(vtkHighOrderSurface* surface)
 }
 
 //------------------------------------------------------------------------------
-vtkHighOrderSurface* vtkHighOrderClippedSurface::GetSurface()
+vtkHighOrderSurface* vtkPixelExactClippedSurface::GetSurface()
 {
   return this->Surface;
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::AddCutFunction(vtkImplicitFunction* function)
+void vtkPixelExactClippedSurface::AddCutFunction(vtkImplicitFunction* function)
 {
   if (function != nullptr)
   {
@@ -49,14 +49,14 @@ void vtkHighOrderClippedSurface::AddCutFunction(vtkImplicitFunction* function)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::RemoveAllCutFunctions()
+void vtkPixelExactClippedSurface::RemoveAllCutFunctions()
 {
   this->CutFunctions.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::AddClipFunction(vtkImplicitFunction* function, bool inverted)
+void vtkPixelExactClippedSurface::AddClipFunction(vtkImplicitFunction* function, bool inverted)
 {
   if (function != nullptr)
   {
@@ -66,14 +66,14 @@ void vtkHighOrderClippedSurface::AddClipFunction(vtkImplicitFunction* function, 
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::RemoveAllClipFunctions()
+void vtkPixelExactClippedSurface::RemoveAllClipFunctions()
 {
   this->Clips.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::Update()
+void vtkPixelExactClippedSurface::Update()
 {
   if (this->Surface != nullptr)
   {
@@ -82,7 +82,7 @@ void vtkHighOrderClippedSurface::Update()
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkHighOrderClippedSurface::GetMTime()
+vtkMTimeType vtkPixelExactClippedSurface::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
   if (this->Surface != nullptr)
@@ -101,13 +101,13 @@ vtkMTimeType vtkHighOrderClippedSurface::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHighOrderClippedSurface::IsMadeOfMesh() const
+bool vtkPixelExactClippedSurface::IsMadeOfMesh() const
 {
   return this->Surface != nullptr && this->Surface->IsMadeOfMesh();
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const pixelexact::Surface> vtkHighOrderClippedSurface::MakeSurface(
+std::shared_ptr<const pixelexact::Surface> vtkPixelExactClippedSurface::MakeSurface(
   const std::shared_ptr<const pixelexact::HighOrderModel>& model,
   const pixelexact::SurfaceSearch& search)
 {
@@ -140,7 +140,7 @@ std::shared_ptr<const pixelexact::Surface> vtkHighOrderClippedSurface::MakeSurfa
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderClippedSurface::PrintSelf(ostream& os, vtkIndent indent)
+void vtkPixelExactClippedSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Surface: " << (this->Surface != nullptr ? this->Surface->GetClassName() : "none")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkHighOrderClippedSurface
+ * @class   vtkPixelExactClippedSurface
  * @brief   the part of a cut-surface where no clip function is positive
  *
  * Clips a surface or cut functions by any number of implicit functions. The elements and their
@@ -14,10 +14,10 @@
  * support that, functions written in Python do not.
  */
 
-#ifndef vtkHighOrderClippedSurface_h
-#define vtkHighOrderClippedSurface_h
+#ifndef vtkPixelExactClippedSurface_h
+#define vtkPixelExactClippedSurface_h
 
-#include "PixelExactRenderingModule.h"
+#include "PixelExactParaViewModule.h"
 #include "vtkHighOrderSurface.h"
 #include "vtkSmartPointer.h" // for surface and functions
 
@@ -25,11 +25,11 @@
 
 class vtkImplicitFunction;
 
-class PIXELEXACTRENDERING_EXPORT vtkHighOrderClippedSurface : public vtkHighOrderSurface
+class PIXELEXACTPARAVIEW_EXPORT vtkPixelExactClippedSurface : public vtkHighOrderSurface
 {
 public:
-  static vtkHighOrderClippedSurface* New();
-  vtkTypeMacro(vtkHighOrderClippedSurface, vtkHighOrderSurface);
+  static vtkPixelExactClippedSurface* New();
+  vtkTypeMacro(vtkPixelExactClippedSurface, vtkHighOrderSurface);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -64,12 +64,12 @@ public:
 #endif
 
 protected:
-  vtkHighOrderClippedSurface();
-  ~vtkHighOrderClippedSurface() override;
+  vtkPixelExactClippedSurface();
+  ~vtkPixelExactClippedSurface() override;
 
 private:
-  vtkHighOrderClippedSurface(const vtkHighOrderClippedSurface&) = delete;
-  void operator=(const vtkHighOrderClippedSurface&) = delete;
+  vtkPixelExactClippedSurface(const vtkPixelExactClippedSurface&) = delete;
+  void operator=(const vtkPixelExactClippedSurface&) = delete;
 
   struct Clip
   {
