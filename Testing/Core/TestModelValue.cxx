@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Expression/FunctionModel.h"
 #include "Core/Expression/ModelValue.h"
-#include "Core/Expression/TaylorCoefficient.h"
 
 #include <gtest/gtest.h>
 

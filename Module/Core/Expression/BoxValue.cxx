@@ -370,19 +370,6 @@ BoxValue NormOf(std::span<const BoxValue> values)
 
 BoxValue ApplyToBoxes(const Graph::Node& node, std::span<const BoxValue> values)
 {
-  const auto argument = [&](std::size_t k) -> const BoxValue&
-  { return values[static_cast<std::size_t>(node.arguments[k])]; };
-  switch (node.operation)
-  {
-    case Operation::Add:
-      return argument(0) + argument(1);
-    case Operation::Subtract:
-      return argument(0) - argument(1);
-    case Operation::Multiply:
-      return node.arguments[0] == node.arguments[1] ? Square(argument(0))
-                                                    : argument(0) * argument(1);
-    default:
-      return ApplyFunction(node, NodeArguments(node, values).Span());
-  }
+  return ApplyNode(node, values, ApplyFunction);
 }
 } // namespace pixelexact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Expression/ModelValue.h"
 
+#include "Core/Expression/FunctionModel.h"
 #include "Core/Expression/NodeList.h"
-#include "Core/Expression/TaylorCoefficient.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -16,104 +16,9 @@ namespace pixelexact
 {
 namespace
 {
-constexpr std::size_t kPoints = std::size_t{ ChebyshevModel::kDegree } + 1;
-
 ChebyshevModel NoModel()
 {
   return ChebyshevModel(Interval::Everything());
-}
-
-/// A function of one variable on [middle - radius, middle + radius] as a Chebyshev series.
-struct Series
-{
-  double middle;
-  double radius;
-  std::array<double, kPoints> c{};
-  double error = 0.0; ///< bounds the remainder and all rounding
-};
-
-/// Interpolates an operation at Chebyshev's points of a range; none where it is not smooth there.
-std::optional<Series> SeriesOf(Operation operation, double exponent, const Interval& range)
-{
-  if (!range.IsFinite())
-  {
-    return std::nullopt;
-  }
-  Series series{ .middle = range.Middle(), .radius = range.RadiusAround(range.Middle()) };
-  const Interval next = TaylorCoefficient(operation, exponent, kPoints, range);
-  if (!next.IsFinite() || !std::isfinite(series.radius))
-  {
-    return std::nullopt;
-  }
-  std::array<double, kPoints> values{};
-  double inValues = 0.0;
-  double largest = 0.0;
-  const auto angle = [](std::size_t k)
-  { return (2.0 * static_cast<double>(k) + 1.0) * std::numbers::pi / (2.0 * kPoints); };
-  for (std::size_t k = 0; k < kPoints; ++k)
-  {
-    const double at = series.middle + series.radius * std::cos(angle(k));
-    const Interval place =
-      Interval::Around(at, 8.0 * kUnitRoundoff * (std::fabs(series.middle) + series.radius));
-    const Interval value = ValueAt(operation, exponent, place);
-    if (!value.IsFinite())
-    {
-      return std::nullopt;
-    }
-    values[k] = value.Middle();
-    inValues = std::max(inValues, value.RadiusAround(values[k]));
-    largest = std::max(largest, std::fabs(values[k]));
-  }
-  for (std::size_t j = 0; j < kPoints; ++j)
-  {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < kPoints; ++k)
-    {
-      sum += values[k] * std::cos(static_cast<double>(j) * angle(k));
-    }
-    series.c[j] = sum * (j == 0 ? 1.0 : 2.0) / static_cast<double>(kPoints);
-  }
-  // |f - p| <= radius^n |f^(n)| / n! / 2^(n - 1), n points. Each coefficient is a mean of the
-  // values with weights of at most 2, and the cosines are off by some roundings.
-  const double remainder = Up(std::pow(series.radius, static_cast<double>(kPoints)) *
-    next.Magnitude() * std::ldexp(1.0, 1 - static_cast<int>(kPoints)));
-  constexpr double kCosineRounding = 64.0 * kUnitRoundoff;
-  series.error = Up(remainder +
-    2.0 * static_cast<double>(kPoints) * (inValues + (kCosineRounding + Gamma(32)) * largest));
-  return series;
-}
-
-/// The series at the values of a model, by Clenshaw's recurrence.
-ChebyshevModel ValueOf(const Series& series, const ChebyshevModel& f)
-{
-  if (series.radius == 0.0)
-  {
-    ChebyshevModel constant(series.c[0]);
-    constant.Widen(series.error);
-    return constant;
-  }
-  const ChebyshevModel t =
-    (f - ChebyshevModel(series.middle)) * ChebyshevModel(Interval(1.0) / Interval(series.radius));
-  const ChebyshevModel twice = 2.0 * t;
-  ChebyshevModel above;
-  ChebyshevModel sum;
-  for (std::size_t j = kPoints - 1; j > 0; --j)
-  {
-    const ChebyshevModel next = twice * sum - above + ChebyshevModel(series.c[j]);
-    above = sum;
-    sum = next;
-  }
-  ChebyshevModel value = t * sum - above + ChebyshevModel(series.c[0]);
-  value.Widen(series.error);
-  return value;
-}
-
-/// An operation of one argument whose values are in `range`.
-ChebyshevModel Composed(
-  Operation operation, const ChebyshevModel& f, const Interval& range, double exponent = 0.0)
-{
-  const std::optional<Series> series = SeriesOf(operation, exponent, range);
-  return series ? ValueOf(*series, f) : NoModel();
 }
 
 /// The range from the model's Bernstein form, which is sharper than `known` alone.
@@ -126,14 +31,16 @@ Interval RangeOf(const ModelValue& f)
 ChebyshevModel ReciprocalModel(const ModelValue& f)
 {
   ChebyshevModel inverse = Reciprocal(f.model);
-  return std::isfinite(inverse.error) ? inverse
-                                      : Composed(Operation::Power, f.model, RangeOf(f), -1.0);
+  return std::isfinite(inverse.error)
+    ? inverse
+    : ComposeFunction(Operation::Power, f.model, RangeOf(f), -1.0);
 }
 
 ChebyshevModel RootModel(const ModelValue& f)
 {
   ChebyshevModel root = SquareRoot(f.model);
-  return std::isfinite(root.error) ? root : Composed(Operation::Power, f.model, RangeOf(f), 0.5);
+  return std::isfinite(root.error) ? root
+                                   : ComposeFunction(Operation::Power, f.model, RangeOf(f), 0.5);
 }
 
 /// v^n for n >= 0.
@@ -166,10 +73,10 @@ ChebyshevModel PowerModel(const ModelValue& f, const ModelValue& exponent)
   }
   if (b.lower == b.upper)
   {
-    return Composed(Operation::Power, f.model, range, b.lower);
+    return ComposeFunction(Operation::Power, f.model, range, b.lower);
   }
-  const ChebyshevModel logarithm = exponent.model * Composed(Operation::Log, f.model, range);
-  return Composed(Operation::Exp, logarithm, logarithm.TightRange());
+  const ChebyshevModel logarithm = exponent.model * ComposeFunction(Operation::Log, f.model, range);
+  return ComposeFunction(Operation::Exp, logarithm, logarithm.TightRange());
 }
 
 /// atan2(y, x): pi / 2 - atan(x / y) where y > 0, -pi / 2 - atan(x / y) where y < 0, atan(y / x)
@@ -183,7 +90,7 @@ ChebyshevModel AngleModel(const ModelValue& y, const ModelValue& x)
     return NoModel();
   }
   const ChebyshevModel ratio = byX ? y.model * ReciprocalModel(x) : x.model * ReciprocalModel(y);
-  const ChebyshevModel angle = Composed(Operation::Atan, ratio, ratio.TightRange());
+  const ChebyshevModel angle = ComposeFunction(Operation::Atan, ratio, ratio.TightRange());
   const Interval quarter = Interval::Around(0.5 * std::numbers::pi, 2e-16);
   return byX ? angle : ChebyshevModel(ofY.lower > 0.0 ? quarter : -quarter) - angle;
 }
@@ -299,7 +206,7 @@ ChebyshevModel ModelOf(const Graph::Node& node, std::span<const ModelValue> a)
       return NoModel();
     default:
       return IsTruth(node.operation) ? NoModel()
-                                     : Composed(node.operation, a[0].model, RangeOf(a[0]));
+                                     : ComposeFunction(node.operation, a[0].model, RangeOf(a[0]));
   }
 }
 } // namespace
@@ -351,9 +258,25 @@ ModelValue Combined(
   return value;
 }
 
-ModelValue Square(const ModelValue& f)
+/// Computes a node from its arguments; sums and products have their own ways.
+ModelValue ApplyFunctionTo(const Graph::Node& node, std::span<const ModelValue> of)
 {
-  return Combined(f.model * f.model, Square(f.known.value), f, f);
+  std::array<KnownInterval, Graph::kMaxArguments> known;
+  std::ranges::transform(of, known.begin(),
+    [](const ModelValue& one) {
+      return KnownInterval{ RangeOf(one), one.known.mayBeNaN };
+    });
+  const KnownInterval range = ApplyToIntervals(node, std::span(known).first(of.size()));
+  const bool areDefined =
+    std::ranges::none_of(of, [](const ModelValue& one) { return one.known.mayBeNaN; });
+  ModelValue value(ModelOf(node, of), range, areDefined);
+  const bool isStep = IsTruth(node.operation) || node.operation == Operation::Select ||
+    node.operation == Operation::Sign || node.operation == Operation::Floor ||
+    node.operation == Operation::Ceil || node.operation == Operation::Atan2 ||
+    node.operation == Operation::Eigenvector;
+  const bool isConstant = value.known.value.lower == value.known.value.upper;
+  value.mayJump = !isConstant && (isStep || std::ranges::any_of(of, &ModelValue::mayJump));
+  return value;
 }
 } // namespace
 
@@ -370,6 +293,11 @@ ModelValue operator-(const ModelValue& f, const ModelValue& g)
 ModelValue operator*(const ModelValue& f, const ModelValue& g)
 {
   return Combined(f.model * g.model, ProductOf(f.known.value, g.known.value), f, g);
+}
+
+ModelValue Square(const ModelValue& f)
+{
+  return Combined(f.model * f.model, Square(f.known.value), f, f);
 }
 
 ModelValue Reciprocal(const ModelValue& f)
@@ -392,37 +320,6 @@ ModelValue NormOf(std::span<const ModelValue> values)
 
 ModelValue ApplyToModels(const Graph::Node& node, std::span<const ModelValue> values)
 {
-  const auto argument = [&](std::size_t k) -> const ModelValue&
-  { return values[static_cast<std::size_t>(node.arguments[k])]; };
-  switch (node.operation)
-  {
-    case Operation::Add:
-      return argument(0) + argument(1);
-    case Operation::Subtract:
-      return argument(0) - argument(1);
-    case Operation::Multiply:
-      return node.arguments[0] == node.arguments[1] ? Square(argument(0))
-                                                    : argument(0) * argument(1);
-    default:
-      break;
-  }
-  const NodeArguments arguments(node, values);
-  const std::span<const ModelValue> of = arguments.Span();
-  std::array<KnownInterval, Graph::kMaxArguments> known;
-  std::ranges::transform(of, known.begin(),
-    [](const ModelValue& one) {
-      return KnownInterval{ RangeOf(one), one.known.mayBeNaN };
-    });
-  const KnownInterval range = ApplyToIntervals(node, std::span(known).first(of.size()));
-  const bool areDefined =
-    std::ranges::none_of(of, [](const ModelValue& one) { return one.known.mayBeNaN; });
-  ModelValue value(ModelOf(node, of), range, areDefined);
-  const bool isStep = IsTruth(node.operation) || node.operation == Operation::Select ||
-    node.operation == Operation::Sign || node.operation == Operation::Floor ||
-    node.operation == Operation::Ceil || node.operation == Operation::Atan2 ||
-    node.operation == Operation::Eigenvector;
-  const bool isConstant = value.known.value.lower == value.known.value.upper;
-  value.mayJump = !isConstant && (isStep || std::ranges::any_of(of, &ModelValue::mayJump));
-  return value;
+  return ApplyNode(node, values, ApplyFunctionTo);
 }
 } // namespace pixelexact

@@ -39,6 +39,7 @@ struct ModelValue
 ModelValue operator+(const ModelValue& f, const ModelValue& g);
 ModelValue operator-(const ModelValue& f, const ModelValue& g);
 ModelValue operator*(const ModelValue& f, const ModelValue& g);
+ModelValue Square(const ModelValue& f);
 ModelValue Reciprocal(const ModelValue& f);
 /// The Euclidean norm.
 ModelValue NormOf(std::span<const ModelValue> values);

@@ -58,4 +58,25 @@ private:
   std::array<T, Graph::kMaxArguments> Arguments;
   std::size_t Count = 0;
 };
+
+/// Computes a node from values that its arguments are places of: sums, differences, products and
+/// squares by T's operations, other nodes by `function(node, arguments)`.
+template <class T, class Function>
+T ApplyNode(const Graph::Node& node, std::span<const T> values, const Function& function)
+{
+  const auto argument = [&](std::size_t k) -> const T&
+  { return values[static_cast<std::size_t>(node.arguments[k])]; };
+  switch (node.operation)
+  {
+    case Operation::Add:
+      return argument(0) + argument(1);
+    case Operation::Subtract:
+      return argument(0) - argument(1);
+    case Operation::Multiply:
+      return node.arguments[0] == node.arguments[1] ? Square(argument(0))
+                                                    : argument(0) * argument(1);
+    default:
+      return function(node, NodeArguments<T>(node, values).Span());
+  }
+}
 } // namespace pixelexact

@@ -2,13 +2,13 @@
 #include "Core/Faces/FaceJumps.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Basis/LineFunctions.h"
 #include "Core/Bounds/ElementBounds.h"
 #include "Core/Element/FieldFunction.h"
 #include "Core/Element/ParallelProgress.h"
 #include "Core/Element/RangeIngredients.h"
 #include "Core/Faces/BehindFace.h"
 #include "Core/Faces/FacePairs.h"
+#include "Core/Faces/FacePlaces.h"
 #include "Core/Faces/FacePlane.h"
 #include "Core/Faces/FaceSampler.h"
 #include "Core/Location/Sample.h"
@@ -29,120 +29,12 @@ namespace pixelexact
 {
 namespace
 {
-/// Chebyshev points along a parameter, by degree.
-constexpr int kPointsPerDegree = 8;
 /// Bounds the error of a sample's xi, along each axis: roundings of its parameters and of the sums.
 constexpr double kPlaceError = 64.0 * kUnitRoundoff;
 /// Distance of xi up to which a point lies on a face.
 constexpr double kOnThisFace = 1e-6;
-/// Gauss points of a parameter beyond the sum of the orders of field and map.
-constexpr int kMoreGaussPoints = 2;
-
 /// The order for which an expression is sampled.
 constexpr int kOrderOfExpressions = 8;
-
-struct GaussRule
-{
-  std::vector<double> points; ///< 0 to 1
-  std::vector<double> weights;
-};
-
-GaussRule MakeGaussRule(int count)
-{
-  GaussRule rule;
-  for (const long double z : GaussPoints(count))
-  {
-    long double before = 1.0L;
-    long double now = z;
-    for (int n = 2; n <= count; ++n)
-    {
-      const long double next =
-        ((2.0L * n - 1.0L) * z * now - (n - 1.0L) * before) / static_cast<long double>(n);
-      before = now;
-      now = next;
-    }
-    const long double slope = count * (before - z * now) / (1.0L - z * z);
-    rule.points.push_back(static_cast<double>((1.0L + z) / 2.0L));
-    rule.weights.push_back(static_cast<double>(1.0L / ((1.0L - z * z) * slope * slope)));
-  }
-  return rule;
-}
-
-/// Places on a face, and the weights of a quadrature over the unit square or triangle; none where
-/// they are no quadrature.
-struct FacePlaces
-{
-  std::vector<FacePoint> points;
-  std::vector<double> weights;
-};
-
-FacePlaces GaussPlaces(int corners, int count)
-{
-  const GaussRule rule = MakeGaussRule(count);
-  FacePlaces places;
-  for (std::size_t i = 0; i < rule.points.size(); ++i)
-  {
-    for (std::size_t j = 0; j < rule.points.size(); ++j)
-    {
-      const double shrink = corners == 3 ? 1.0 - rule.points[j] : 1.0;
-      places.points.push_back({ rule.points[i] * shrink, rule.points[j] });
-      places.weights.push_back(rule.weights[i] * rule.weights[j] * shrink);
-    }
-  }
-  return places;
-}
-
-std::vector<FacePoint> ChebyshevPlaces(int corners, int count)
-{
-  std::vector<double> line;
-  line.reserve(static_cast<std::size_t>(count));
-  for (int k = 0; k < count; ++k)
-  {
-    line.push_back(0.5 - 0.5 * std::cos((2 * k + 1) * std::numbers::pi / (2.0 * count)));
-  }
-  std::vector<FacePoint> points;
-  for (const double first : line)
-  {
-    for (const double second : line)
-    {
-      points.push_back({ corners == 3 ? first * (1.0 - second) : first, second });
-    }
-  }
-  return points;
-}
-
-/// The places for all orders up to a highest one.
-class PlacesByOrder
-{
-public:
-  PlacesByOrder(int highestGauss, int highestOrder)
-  {
-    for (int corners = 3; corners <= 4; ++corners)
-    {
-      const auto kind = static_cast<std::size_t>(corners - 3);
-      for (int n = 0; n <= highestGauss; ++n)
-      {
-        Gauss[kind].push_back(GaussPlaces(corners, n + kMoreGaussPoints));
-      }
-      for (int n = 0; n <= highestOrder; ++n)
-      {
-        Chebyshev[kind].push_back(ChebyshevPlaces(corners, kPointsPerDegree * std::max(n, 1)));
-      }
-    }
-  }
-  [[nodiscard]] const FacePlaces& GaussOf(int corners, int order) const
-  {
-    return Gauss[static_cast<std::size_t>(corners - 3)][static_cast<std::size_t>(order)];
-  }
-  [[nodiscard]] const std::vector<FacePoint>& ChebyshevOf(int corners, int order) const
-  {
-    return Chebyshev[static_cast<std::size_t>(corners - 3)][static_cast<std::size_t>(order)];
-  }
-
-private:
-  std::array<std::vector<FacePlaces>, 2> Gauss;
-  std::array<std::vector<std::vector<FacePoint>>, 2> Chebyshev;
-};
 
 int HighestOrderOf(const Expansion& values)
 {
@@ -398,7 +290,7 @@ void JumpFinder::AddWhole(const ElementFace& face, const ElementFace& other, Fac
   if (field_.function == nullptr && field_.mapping == Mapping::Identity &&
     !isPyramid(face.element) && !isPyramid(other.element))
   {
-    const double cosine = std::cos(std::numbers::pi / (2.0 * kPointsPerDegree));
+    const double cosine = std::cos(std::numbers::pi / (2.0 * PlacesByOrder::kPointsPerDegree));
     const double error = SampleErrorOf(field_, face.element) + SampleErrorOf(field_, other.element);
     jump.bound = (std::ranges::max(chebyshev.jumps) + error) / (cosine * cosine) * (1.0 + 0x1p-40);
   }

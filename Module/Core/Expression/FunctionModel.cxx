@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Expression/TaylorCoefficient.h"
+#include "Core/Expression/FunctionModel.h"
 
 #include "Core/Expression/IntervalOperations.h"
+#include "Core/Math/Rounding.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
-// Recurrences of Taylor coefficients in interval arithmetic (R. Moore, Interval Analysis, 1966,
-// chapter 11).
+// Taylor coefficients follow from recurrences in interval arithmetic (R. Moore, Interval Analysis,
+// 1966, chapter 11).
 namespace pixelexact
 {
 namespace
@@ -165,8 +168,105 @@ Interval TaylorCoefficient(Operation operation, double exponent, std::size_t n, 
   }
 }
 
+namespace
+{
+constexpr std::size_t kPoints = std::size_t{ ChebyshevModel::kDegree } + 1;
+
 Interval ValueAt(Operation operation, double exponent, const Interval& x)
 {
   return operation == Operation::Power ? Raised(x, exponent) : FunctionOf(operation, x);
+}
+
+/// A function of one variable on [middle - radius, middle + radius] as a Chebyshev series.
+struct Series
+{
+  double middle;
+  double radius;
+  std::array<double, kPoints> c{};
+  double error = 0.0; ///< bounds the remainder and all rounding
+};
+
+/// Interpolates an operation at Chebyshev's points of a range; none where it is not smooth there.
+std::optional<Series> SeriesOf(Operation operation, double exponent, const Interval& range)
+{
+  if (!range.IsFinite())
+  {
+    return std::nullopt;
+  }
+  Series series{ .middle = range.Middle(), .radius = range.RadiusAround(range.Middle()) };
+  const Interval next = TaylorCoefficient(operation, exponent, kPoints, range);
+  if (!next.IsFinite() || !std::isfinite(series.radius))
+  {
+    return std::nullopt;
+  }
+  std::array<double, kPoints> values{};
+  double inValues = 0.0;
+  double largest = 0.0;
+  const auto angle = [](std::size_t k)
+  { return (2.0 * static_cast<double>(k) + 1.0) * std::numbers::pi / (2.0 * kPoints); };
+  for (std::size_t k = 0; k < kPoints; ++k)
+  {
+    const double at = series.middle + series.radius * std::cos(angle(k));
+    const Interval place =
+      Interval::Around(at, 8.0 * kUnitRoundoff * (std::fabs(series.middle) + series.radius));
+    const Interval value = ValueAt(operation, exponent, place);
+    if (!value.IsFinite())
+    {
+      return std::nullopt;
+    }
+    values[k] = value.Middle();
+    inValues = std::max(inValues, value.RadiusAround(values[k]));
+    largest = std::max(largest, std::fabs(values[k]));
+  }
+  for (std::size_t j = 0; j < kPoints; ++j)
+  {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < kPoints; ++k)
+    {
+      sum += values[k] * std::cos(static_cast<double>(j) * angle(k));
+    }
+    series.c[j] = sum * (j == 0 ? 1.0 : 2.0) / static_cast<double>(kPoints);
+  }
+  // |f - p| <= radius^n |f^(n)| / n! / 2^(n - 1), n points. Each coefficient is a mean of the
+  // values with weights of at most 2, and the cosines are off by some roundings.
+  const double remainder = Up(std::pow(series.radius, static_cast<double>(kPoints)) *
+    next.Magnitude() * std::ldexp(1.0, 1 - static_cast<int>(kPoints)));
+  constexpr double kCosineRounding = 64.0 * kUnitRoundoff;
+  series.error = Up(remainder +
+    2.0 * static_cast<double>(kPoints) * (inValues + (kCosineRounding + Gamma(32)) * largest));
+  return series;
+}
+
+/// The series at the values of a model, by Clenshaw's recurrence.
+ChebyshevModel ValueOf(const Series& series, const ChebyshevModel& f)
+{
+  if (series.radius == 0.0)
+  {
+    ChebyshevModel constant(series.c[0]);
+    constant.Widen(series.error);
+    return constant;
+  }
+  const ChebyshevModel t =
+    (f - ChebyshevModel(series.middle)) * ChebyshevModel(Interval(1.0) / Interval(series.radius));
+  const ChebyshevModel twice = 2.0 * t;
+  ChebyshevModel above;
+  ChebyshevModel sum;
+  for (std::size_t j = kPoints - 1; j > 0; --j)
+  {
+    const ChebyshevModel next = twice * sum - above + ChebyshevModel(series.c[j]);
+    above = sum;
+    sum = next;
+  }
+  ChebyshevModel value = t * sum - above + ChebyshevModel(series.c[0]);
+  value.Widen(series.error);
+  return value;
+}
+} // namespace
+
+ChebyshevModel ComposeFunction(
+  Operation operation, const ChebyshevModel& f, const Interval& range, double exponent)
+{
+  const std::optional<Series> series = SeriesOf(operation, exponent, range);
+  return series ? ValueOf(*series, f) : ChebyshevModel(Interval::Everything());
 }
 } // namespace pixelexact

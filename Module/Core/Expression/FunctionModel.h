@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Bernstein/ChebyshevModel.h"
 #include "Core/Expression/Graph.h"
 #include "Core/Math/Interval.h"
 
@@ -14,6 +15,9 @@ namespace pixelexact
 [[nodiscard]] Interval TaylorCoefficient(
   Operation operation, double exponent, std::size_t n, const Interval& x);
 
-/// Encloses the values of such an operation.
-[[nodiscard]] Interval ValueAt(Operation operation, double exponent, const Interval& x);
+/// Returns an operation of one argument, of the values of a model, which are in `range`. The
+/// operation is interpolated at Chebyshev's points of the range; TaylorCoefficient bounds the
+/// remainder. The model's error is infinite where the operation is not smooth on all of the range.
+[[nodiscard]] ChebyshevModel ComposeFunction(
+  Operation operation, const ChebyshevModel& f, const Interval& range, double exponent = 0.0);
 } // namespace pixelexact
