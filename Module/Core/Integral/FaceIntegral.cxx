@@ -114,7 +114,7 @@ public:
       {
         AddRoughness(density, rough);
       }
-      anyRange = anyRange || IsRange(density);
+      anyRange = anyRange || (!vanishes && IsRange(density));
       part.sums[q] = (clipped ? clipped->Integral(density) : PartOf(density)) * scale;
       // Where the clips are undecided, half of the part is assumed to count.
       const double share = clipped ? clipped->Part() : 0.5;

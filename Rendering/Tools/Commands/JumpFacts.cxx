@@ -49,6 +49,10 @@ JumpsOfField Summarise(
     square += face.square;
     facts.area += face.area;
   }
+  if (found.notFinite + found.notFound > 0)
+  {
+    facts.bound = kInfinity; // of what is left out nothing is known
+  }
   const double thickness = slab != nullptr ? slab->thickness : 1.0;
   facts.l2 = std::sqrt(square / thickness);
   facts.area /= thickness;
@@ -105,11 +109,13 @@ void AddTo(Table& table, const JumpFacts& facts)
   for (const JumpsOfField& field : facts.fields)
   {
     const std::string faces = Counted(field.faces, "face") + " between elements";
+    const bool isComplete = field.notFinite + field.notFound == 0;
     if (field.faces == 0)
     {
-      table.Row(name, "{}: there is no face between elements", field.name);
+      table.Row(name, "{}: {}", field.name,
+        isComplete ? "there is no face between elements" : "no face could be compared");
     }
-    else if (field.zero == field.faces)
+    else if (isComplete && field.zero == field.faces)
     {
       table.Row(name, "{}: zero within rounding, {}, on {}", field.name,
         JumpText(field.largest, field.bound), faces);
@@ -161,12 +167,14 @@ void AddTo(nlohmann::ordered_json& summary, const JumpFacts& facts)
         { { "largest", face.largest }, { "bound", face.bound }, { "elements", face.elements },
           { "position", { face.position.x, face.position.y, face.position.z } } });
     }
-    fields.push_back({ { "field", field.name }, { "largest", field.largest },
-      { "bound", field.bound }, { "zero_within_rounding", field.zero == field.faces },
-      { "l2", field.l2 }, { "area", field.area }, { "largest_value", field.size },
-      { "faces", field.faces }, { "proven_faces", field.proven }, { "zero_faces", field.zero },
-      { "not_finite_faces", field.notFinite }, { "not_found", field.notFound },
-      { "worst", std::move(worst) } });
+    fields.push_back(
+      { { "field", field.name }, { "largest", field.largest }, { "bound", field.bound },
+        { "zero_within_rounding",
+          field.zero == field.faces && field.notFinite + field.notFound == 0 },
+        { "l2", field.l2 }, { "area", field.area }, { "largest_value", field.size },
+        { "faces", field.faces }, { "proven_faces", field.proven }, { "zero_faces", field.zero },
+        { "not_finite_faces", field.notFinite }, { "not_found", field.notFound },
+        { "worst", std::move(worst) } });
   }
   summary["jumps"] = { { "fields", std::move(fields) }, { "seconds", facts.seconds } };
 }
