@@ -305,6 +305,7 @@ std::vector<ChebyshevModel> ElementFunctions::Values(const PieceBox& box,
     std::ranges::transform(OfFunction(box), std::back_inserter(models), modelOf);
     return Function->Over(models);
   }
+  models.reserve(static_cast<std::size_t>(question_.Components()));
   for (int c = 0; c < question_.Components(); ++c)
   {
     models.push_back(modelOf(ValuesOver(Modes != nullptr ? box : places, c)));
@@ -319,6 +320,7 @@ std::vector<Interval> ElementFunctions::ValueRanges(const PieceBox& box)
     return Function->Ranges(OfFunction(box));
   }
   std::vector<Interval> ranges;
+  ranges.reserve(static_cast<std::size_t>(question_.Components()));
   for (int c = 0; c < question_.Components(); ++c)
   {
     ranges.push_back(ValuesOver(box, c).Hull());
