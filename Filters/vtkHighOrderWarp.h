@@ -26,6 +26,7 @@
 
 #include "MeshFilter.h"
 #include "PixelExactFiltersModule.h"
+#include "vtkDataObject.h" // for the output
 #include "vtkPassInputTypeAlgorithm.h"
 
 #include <string> // for names
