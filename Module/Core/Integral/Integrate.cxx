@@ -69,26 +69,17 @@ void CheckSizes(const IntegralQuestion& question)
   }
 }
 
-bool IsNumeric(const IntegralQuestion& question)
-{
-  if (question.field == nullptr || question.field->function == nullptr)
-  {
-    return false;
-  }
-  const FieldFunction& function = *question.field->function;
-  for (int e = 0; e < question.mesh.Elements(); ++e)
-  {
-    if (!function.HasModels(question.mesh.ShapeOf(e)))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 bool IsFunction(const IntegralQuestion& question)
 {
   return question.field != nullptr && question.field->function != nullptr;
+}
+
+bool IsNumeric(const IntegralQuestion& question)
+{
+  return IsFunction(question) &&
+    std::ranges::any_of(question.mesh.map.spaces,
+      [&question](const Space& space)
+      { return !question.field->function->HasModels(space.shape); });
 }
 
 /// Functions without coefficients may be of any kind, so their default limit is a minute.
