@@ -39,8 +39,11 @@ struct vtkHighOrderSeriesReader::Internals
     {
       throw InvalidData("a collection (.pvd) is to be the only file; call SetFileName.");
     }
-    steps = collection ? ReadCollection(files[0]) : NumberFiles(files);
-    timed = collection || files.size() > 1;
+    const bool isHdf = std::ranges::any_of(files, &IsVtkHdfName);
+    steps = collection ? ReadCollection(files[0])
+      : isHdf          ? ListHdfSteps(files)
+                       : NumberFiles(files);
+    timed = collection || files.size() > 1 || steps.front().isTimed;
   }
 
   [[nodiscard]] const TimeStep& StepAt(vtkInformation* output) const

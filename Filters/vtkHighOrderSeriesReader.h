@@ -4,11 +4,12 @@
  * @brief   reads time series of unstructured grids, in one or several pieces per step
  *
  * Reads a collection (.pvd: steps with times and parts), a .vtu or .pvtu file, or several of them,
- * one per time step at the times 0, 1, 2... vtkUnstructuredGridToHighOrderGrid should follow it:
+ * one per time step at the times 0, 1, 2..., or .vtkhdf files, which may have steps of their own.
+ * vtkUnstructuredGridToHighOrderGrid should follow it:
  * where points and cells stay the same in the next time step, it keeps the mesh and its locators.
  *
  * The steps are the pipeline's TIME_STEPS. The one nearest below the requested time is read, the
- * first one without a request. A single file has no steps.
+ * first one without a request. A single .vtu or .pvtu file has no steps.
  *
  * Parts of a step are appended without merging points. Ghost cells that another part also holds,
  * parts without volume cells, and arrays that not all parts have are left out, the latter two with
@@ -53,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Adds the file of a further time step: .vtu or .pvtu. A .pvd file must be the only one.
+   * Adds the file of a further time step: .vtu, .pvtu or .vtkhdf. A .pvd file must be the only one.
    */
   void AddFileName(const char* name);
   void ClearFileNames();

@@ -3,10 +3,14 @@
 
 #include "Conversion/SourceCells.h"
 #include "Core/Base/Error.h"
+#include "Files/VtkHdfGrid.h"
 #include "Formats/FileText.h"
+#include "Formats/Hdf5/Hdf5File.h"
+#include "Grids/GridCopies.h"
 #include "HighOrderArrays.h"
 
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -157,13 +161,42 @@ Grid ReadLegacy(const std::string& file, std::vector<std::string>& warnings)
   return grid;
 }
 
-bool IsLegacy(const std::string& file)
+/// Reads the parts of a file in VTK's HDF format.
+std::vector<Grid> ReadHdf(const GridPart& part, std::vector<std::string>& warnings)
 {
-  constexpr std::string_view kMark = "# vtk DataFile";
-  std::string begin(kMark.size(), '\0');
-  std::ifstream(file, std::ios::binary)
+  if (!part.list.empty() && VtkHdfTimes(part.file).size() > 1)
+  {
+    throw Unsupported("it has several time steps, and the list gives it one time; name it alone");
+  }
+  std::vector<Grid> pieces = ReadVtkHdfParts(part.file, part.step, warnings);
+  for (std::string& warning : warnings)
+  {
+    warning.erase(warning.find_last_not_of('.') + 1);
+  }
+  std::ranges::for_each(pieces, [](const Grid& piece) { CheckConsistency(*piece); });
+  if (pieces.size() > 1 && HasHighOrderArrays(pieces.front()))
+  {
+    // Its coefficients are of all pieces together.
+    const Grid whole = AppendedGrids(pieces);
+    whole->GetFieldData()->ShallowCopy(pieces.front()->GetFieldData());
+    CheckConsistency(*whole);
+    return { whole };
+  }
+  return pieces;
+}
+
+std::vector<Grid> ReadPiecesOf(const GridPart& part, std::vector<std::string>& warnings)
+{
+  constexpr std::string_view kLegacyMark = "# vtk DataFile";
+  std::string begin(kLegacyMark.size(), '\0');
+  std::ifstream(part.file, std::ios::binary)
     .read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin == kMark;
+  if (IsHdf5(begin) || IsVtkHdfName(part.file))
+  {
+    return ReadHdf(part, warnings);
+  }
+  return begin == kLegacyMark ? std::vector{ ReadLegacy(part.file, warnings) }
+                              : ReadXml(part.file, warnings);
 }
 } // namespace
 
@@ -263,10 +296,10 @@ std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<
   for (const auto& file : files)
   {
     const std::string suffix = LowerSuffix(file.file);
-    if (suffix != ".vtu" && suffix != ".vtk")
+    if (suffix != ".vtu" && suffix != ".vtk" && !IsVtkHdfName(file.file))
     {
       throw Unsupported(CannotRead(file) +
-        "only .vtu, .pvtu and .vtk files can be parts of a grid; write it as such");
+        "only .vtu, .pvtu, .vtk and .vtkhdf files can be parts of a grid; write it as such");
     }
   }
   if (files.empty())
@@ -290,8 +323,7 @@ std::vector<Grid> GridFileReader::Read(const GridPart& part)
       throw InvalidData(kPipeRemedy);
     }
     std::vector<std::string> warnings;
-    std::vector<Grid> pieces = IsLegacy(part.file) ? std::vector{ ReadLegacy(part.file, warnings) }
-                                                   : ReadXml(part.file, warnings);
+    std::vector<Grid> pieces = ReadPiecesOf(part, warnings);
     for (const std::string& warning : warnings)
     {
       if (Said.insert(warning).second)

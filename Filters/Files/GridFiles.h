@@ -42,13 +42,14 @@ PIXELEXACTFILTERS_EXPORT void AddWarning(std::vector<std::string>& lines, std::s
 /// Adds a line unless it is already there.
 PIXELEXACTFILTERS_EXPORT void AddOnce(std::vector<std::string>& lines, const std::string& line);
 
-/// Lists the .vtu and .vtk files of all parts, also those that .pvtu files name. Surfaces (.vtp) in
-/// a collection with a volume are noted. Throws Error for other files, and where there is none.
+/// Lists the .vtu, .vtk and .vtkhdf files of all parts, also those that .pvtu files name. Surfaces
+/// (.vtp) in a collection with a volume are noted. Throws Error for other files, and where there is
+/// none.
 std::vector<GridPart> ListFiles(
   const std::vector<GridPart>& parts, std::vector<std::string>& notes);
 
-/// Reads files of unstructured grids, in VTK's XML format or its legacy one; the content decides,
-/// not the suffix. VTK's warnings become notes; a warning for several files is noted for the first
+/// Reads files of unstructured grids, in VTK's XML, HDF or legacy format; the content decides, not
+/// the suffix. VTK's warnings become notes; a warning for several files is noted for the first
 /// one.
 class GridFileReader
 {

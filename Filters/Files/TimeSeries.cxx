@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Files/VtkHdfGrid.h"
 #include "Formats/FileText.h"
 
 #include <pugixml.hpp>
@@ -114,6 +115,47 @@ std::vector<TimeStep> NumberFiles(const std::vector<std::string>& files)
   {
     steps.push_back({ static_cast<double>(steps.size()), { { file } } });
   }
+  return steps;
+}
+
+bool IsVtkHdfName(const std::string& file)
+{
+  const std::string suffix = LowerSuffix(file);
+  return suffix == ".vtkhdf" || suffix == ".hdf";
+}
+
+std::vector<TimeStep> ListHdfSteps(const std::vector<std::string>& files)
+{
+  std::vector<TimeStep> steps;
+  std::size_t timed = 0;
+  for (const std::string& file : files)
+  {
+    std::vector<double> times;
+    try
+    {
+      times = VtkHdfTimes(file);
+    }
+    catch (const Error& error)
+    {
+      Fail(file, error.what());
+    }
+    timed += times.empty() ? 0 : 1;
+    for (std::size_t step = 0; step < times.size(); ++step)
+    {
+      GridPart part{ file };
+      part.step = step;
+      steps.push_back({ times[step], { part }, true });
+    }
+  }
+  if (timed == 0)
+  {
+    return NumberFiles(files);
+  }
+  if (timed < files.size())
+  {
+    Fail(files.front(), "some of the files have time steps and others have none; name them apart");
+  }
+  std::ranges::stable_sort(steps, {}, &TimeStep::time);
   return steps;
 }
 

@@ -3,6 +3,7 @@
 
 #include "ConversionLoss.h"
 #include "Files/TimeSeries.h"
+#include "Files/VtkHdfGrid.h"
 #include "HighOrderArrays.h"
 #include "vtkHighOrderSeriesReader.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
@@ -119,6 +120,10 @@ bool HasHighOrderCells(const std::filesystem::path& file)
     return std::ranges::any_of(parts,
       [&](const auto& part)
       { return pixelexact::LowerSuffix(part) != suffix && HasHighOrderCells(part); });
+  }
+  if (pixelexact::IsVtkHdfName(file))
+  {
+    return pixelexact::HasCurvedVtkHdfCells(file);
   }
   vtkNew<CellTypes> types;
   if (types->CanReadFile(file.c_str()) == 0)

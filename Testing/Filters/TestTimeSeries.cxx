@@ -54,6 +54,23 @@ TEST_F(TimeSeries, AnotherMeshHasAnotherLocator)
   ExpectValues(1.0, 1.0);
 }
 
+TEST_F(TimeSeries, StepsInAFileOfVtkHdf)
+{
+  Reader->SetFileName(PIXELEXACT_DATA_DIR "/vtkhdf_steps.vtkhdf");
+  const std::vector<double> steps = Steps();
+  if (Heard->errors.find("without the HDF5 library") != std::string::npos)
+  {
+    GTEST_SKIP() << "built without the HDF5 library";
+  }
+  EXPECT_EQ(steps, (std::vector{ 0.0, 0.5, 1.0 }));
+  ExpectValues(0.0, 0.0);
+  const Locator* first = Located();
+  ASSERT_NE(first, nullptr);
+  ExpectValues(0.5, 0.5);
+  ExpectValues(99.0, 1.0);
+  EXPECT_EQ(Located(), first);
+}
+
 TEST_F(TimeSeries, AFileAloneHasNoTime)
 {
   Write("a.vtu", Slabs(0, 3, 2.0));
@@ -89,10 +106,10 @@ TEST_F(TimeSeries, RefusesWithTheFileNamed)
       WriteCollection(DataSet("timestep='" + time + "'", "a.vtu")), "'" + time + "' is no time");
   }
   refuse(WriteCollection(DataSet("timestep='0'", "a.vtu")), "a.vtu");
-  refuse(WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu, .pvtu and .vtk");
+  refuse(WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu, .pvtu, .vtk and .vtkhdf");
   refuse(WriteCollection(DataSet("timestep='0'", "cut.vtp")), "no volume");
   WritePieces("loop.pvtu", { "loop.pvtu" });
-  refuse(Folder / "loop.pvtu", "only .vtu, .pvtu and .vtk");
+  refuse(Folder / "loop.pvtu", "only .vtu, .pvtu, .vtk and .vtkhdf");
   WritePieces("none.pvtu", {});
   refuse(Folder / "none.pvtu", "lists no Piece");
   Reader->AddFileName((Folder / "series.pvd").c_str());

@@ -95,12 +95,30 @@ public:
   }
 
   [[nodiscard]] bool Has(const std::string& path) const override;
+  [[nodiscard]] std::vector<std::string> Names(const std::string& group) const override;
+  [[nodiscard]] Hdf5Kind KindOf(const std::string& path) const override;
   [[nodiscard]] std::vector<std::size_t> Shape(const std::string& path) const override;
   [[nodiscard]] std::size_t BytesOfValue(const std::string& path) const override;
   [[nodiscard]] std::vector<double> Reals(
     const std::string& path, std::span<const std::size_t> places) const override
   {
-    return ReadSet<double>(path, H5T_NATIVE_DOUBLE, H5T_FLOAT, places);
+    return ReadSet<double>(path, H5T_NATIVE_DOUBLE, H5T_FLOAT,
+      [&](const Handle& space) { SelectPlaces(space, places, path); });
+  }
+  [[nodiscard]] std::vector<double> Reals(
+    const std::string& path, const Hdf5Rows& rows) const override
+  {
+    return ReadRows<double>(path, H5T_NATIVE_DOUBLE, H5T_FLOAT, rows);
+  }
+  [[nodiscard]] std::vector<std::int64_t> Integers(
+    const std::string& path, const Hdf5Rows& rows) const override
+  {
+    return ReadRows<std::int64_t>(path, H5T_NATIVE_INT64, H5T_INTEGER, rows);
+  }
+  [[nodiscard]] std::vector<std::uint64_t> Unsigned(
+    const std::string& path, const Hdf5Rows& rows) const override
+  {
+    return ReadRows<std::uint64_t>(path, H5T_NATIVE_UINT64, H5T_INTEGER, rows);
   }
   [[nodiscard]] std::vector<std::int64_t> Integers(const std::string& path) const override
   {
@@ -127,6 +145,7 @@ public:
 
 private:
   using Reader = std::function<herr_t(hid_t memoryType, void* values)>;
+  using Selector = std::function<void(const Handle& space)>;
 
   [[noreturn]] void Fail(const std::string& path, const std::string& problem) const
   {
@@ -136,11 +155,19 @@ private:
   [[nodiscard]] Handle OpenAttribute(const std::string& path, const std::string& name) const;
   [[nodiscard]] std::size_t Count(
     const Handle& space, const Handle& type, const std::string& path) const;
-  void Select(
+  void SelectPlaces(
     const Handle& space, std::span<const std::size_t> places, const std::string& path) const;
+  void SelectRows(const Handle& space, const Hdf5Rows& rows, const std::string& path) const;
   template <class Value>
   std::vector<Value> ReadSet(const std::string& path, hid_t memory, H5T_class_t kind,
-    std::span<const std::size_t> places = {}) const;
+    const Selector& select = nullptr) const;
+  template <class Value>
+  std::vector<Value> ReadRows(
+    const std::string& path, hid_t memory, H5T_class_t kind, const Hdf5Rows& rows) const
+  {
+    return ReadSet<Value>(
+      path, memory, kind, [&](const Handle& space) { SelectRows(space, rows, path); });
+  }
   template <class Value>
   std::vector<Value> ReadAttribute(
     const std::string& path, const std::string& name, hid_t memory, H5T_class_t kind) const;
@@ -166,6 +193,49 @@ bool LibraryFile::Has(const std::string& path) const
     {
       return true;
     }
+  }
+}
+
+std::vector<std::string> LibraryFile::Names(const std::string& group) const
+{
+  const Handle object(Has(group) ? H5Gopen2(File.Get(), group.c_str(), H5P_DEFAULT)
+                                 : static_cast<hid_t>(H5I_INVALID_HID),
+    &H5Gclose);
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* all) -> herr_t
+  {
+    static_cast<std::vector<std::string>*>(all)->emplace_back(name);
+    return 0;
+  };
+  if (!object.IsValid() ||
+    H5Literate(object.Get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0)
+  {
+    Fail(group, "there is no such group; the file is damaged or of another program.");
+  }
+  return names;
+}
+
+Hdf5Kind LibraryFile::KindOf(const std::string& path) const
+{
+  const Handle object(Has(path) ? H5Oopen(File.Get(), path.c_str(), H5P_DEFAULT)
+                                : static_cast<hid_t>(H5I_INVALID_HID),
+    &H5Oclose);
+  if (!object.IsValid() || H5Iget_type(object.Get()) != H5I_DATASET)
+  {
+    return object.IsValid() && H5Iget_type(object.Get()) == H5I_GROUP ? Hdf5Kind::Group
+                                                                      : Hdf5Kind::Other;
+  }
+  const Handle type(H5Dget_type(object.Get()), &H5Tclose);
+  switch (H5Tget_class(type.Get()))
+  {
+    case H5T_FLOAT:
+      return Hdf5Kind::Reals;
+    case H5T_INTEGER:
+      return H5Tget_sign(type.Get()) == H5T_SGN_NONE ? Hdf5Kind::Unsigned : Hdf5Kind::Integers;
+    case H5T_STRING:
+      return Hdf5Kind::Texts;
+    default:
+      return Hdf5Kind::Other;
   }
 }
 
@@ -215,9 +285,13 @@ std::size_t LibraryFile::BytesOfValue(const std::string& path) const
 }
 
 /// Restricts a data set to given places along its first directions.
-void LibraryFile::Select(
+void LibraryFile::SelectPlaces(
   const Handle& space, std::span<const std::size_t> places, const std::string& path) const
 {
+  if (places.empty())
+  {
+    return;
+  }
   const int rank = H5Sget_simple_extent_ndims(space.Get());
   if (rank < 0 || places.size() > static_cast<std::size_t>(rank))
   {
@@ -238,9 +312,34 @@ void LibraryFile::Select(
   H5Sselect_hyperslab(space.Get(), H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr);
 }
 
+void LibraryFile::SelectRows(
+  const Handle& space, const Hdf5Rows& rows, const std::string& path) const
+{
+  const int rank = H5Sget_simple_extent_ndims(space.Get());
+  std::vector<hsize_t> count(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank < 1)
+  {
+    Fail(path, "it has fewer directions than it should; the file is damaged.");
+  }
+  std::vector<hsize_t> begin(count.size(), 0);
+  H5Sget_simple_extent_dims(space.Get(), count.data(), nullptr);
+  if (rows.first > count[0] || rows.count > count[0] - rows.first)
+  {
+    Fail(path, "it has fewer values than the file says; the file is damaged or cut short.");
+  }
+  begin[0] = rows.first;
+  count[0] = rows.count;
+  if (std::ranges::find(count, hsize_t{ 0 }) != count.end())
+  {
+    H5Sselect_none(space.Get());
+    return;
+  }
+  H5Sselect_hyperslab(space.Get(), H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr);
+}
+
 template <class Value>
-std::vector<Value> LibraryFile::ReadSet(const std::string& path, hid_t memory, H5T_class_t kind,
-  std::span<const std::size_t> places) const
+std::vector<Value> LibraryFile::ReadSet(
+  const std::string& path, hid_t memory, H5T_class_t kind, const Selector& select) const
 {
   const Handle set = OpenSet(path);
   const Handle space(H5Dget_space(set.Get()), &H5Sclose);
@@ -250,9 +349,9 @@ std::vector<Value> LibraryFile::ReadSet(const std::string& path, hid_t memory, H
     Fail(path, "its numbers are of another type than they should be.");
   }
   std::size_t count = Count(space, type, path);
-  if (!places.empty() && count > 0)
+  if (select)
   {
-    Select(space, places, path);
+    select(space);
     count = static_cast<std::size_t>(H5Sget_select_npoints(space.Get()));
   }
   std::vector<Value> values(count);

@@ -160,6 +160,14 @@ InputGrid ReadXmlCollection(const InputRequest& request)
   return ReadStep(request, steps, Times(steps));
 }
 
+InputGrid ReadVtkHdfFiles(const InputRequest& request)
+{
+  const auto steps =
+    ListHdfSteps(request.files.size() == 1 ? request.files : SortSeries(request.files));
+  const bool hasTimes = request.files.size() > 1 || steps.front().isTimed;
+  return ReadStep(request, steps, hasTimes ? Times(steps) : std::vector<double>());
+}
+
 InputGrid ReadLegacyFile(const InputRequest& request)
 {
   CheckAlone(request.files);

@@ -10,6 +10,8 @@ namespace pixelexact
 InputGrid ReadXmlFiles(const InputRequest& request);
 /// .pvd
 InputGrid ReadXmlCollection(const InputRequest& request);
+/// .vtkhdf, .hdf: one, which may have time steps, or the numbered ones of a time series.
+InputGrid ReadVtkHdfFiles(const InputRequest& request);
 /// .vtk
 InputGrid ReadLegacyFile(const InputRequest& request);
 } // namespace pixelexact
