@@ -108,7 +108,7 @@ public:
    * Whether a file begins as the reader's files do, for programs that choose a reader by content.
    * 1: it does, although reading may still fail. 0: it does not, or it is not a file.
    */
-  int CanReadFile(const char* name);
+  virtual int CanReadFile(const char* name);
 
 protected:
   vtkHighOrderFileReader();

@@ -106,7 +106,8 @@ TEST_F(TimeSeries, RefusesWithTheFileNamed)
       WriteCollection(DataSet("timestep='" + time + "'", "a.vtu")), "'" + time + "' is no time");
   }
   refuse(WriteCollection(DataSet("timestep='0'", "a.vtu")), "a.vtu");
-  refuse(WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu, .pvtu, .vtk and .vtkhdf");
+  refuse(
+    WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu, .pvtu, .vtk and .vtkhdf");
   refuse(WriteCollection(DataSet("timestep='0'", "cut.vtp")), "no volume");
   WritePieces("loop.pvtu", { "loop.pvtu" });
   refuse(Folder / "loop.pvtu", "only .vtu, .pvtu, .vtk and .vtkhdf");

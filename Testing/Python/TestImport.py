@@ -14,6 +14,7 @@ ABSTRACT = [
     "vtkHighOrderSurface",
 ]
 CLASSES = [
+    "vtkFlexiReader",
     "vtkGLVisReader",
     "vtkGmshReader",
     "vtkHighOrderBoundarySurface",

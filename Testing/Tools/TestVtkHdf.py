@@ -201,10 +201,10 @@ class VtkHdf(ToolTest):
             for place in random.integers(0, len(whole), random.integers(1, 30)):
                 changed[place] = random.integers(0, 256)
             path.write_bytes(changed)
-            done = run("info", path, "--time-step", 1)
+            done = run("info", path, "--time-step", 1, text=False)
             self.assertIn(done.returncode, (0, 1), done.stderr)
             if done.returncode == 1:
-                self.assertTrue(done.stderr.splitlines()[-1].startswith("pixelexact: "), done.stderr)
+                self.assertIn(b"pixelexact: ", done.stderr)
 
     def test_picture(self):
         path = self.write("x.vtkhdf", [Part.of(read_grid(case("toroid_hex_g3_p6")))])

@@ -8,6 +8,7 @@
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"
 #include "Formats/MFEM/Text/PieceNames.h"
+#include "vtkFlexiReader.h"
 #include "vtkGLVisReader.h"
 #include "vtkGmshReader.h"
 #include "vtkHighOrderGrid.h"
@@ -159,6 +160,16 @@ InputGrid ReadNekFiles(const InputRequest& request)
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
     reader->AddStepFileName(request.files[i].c_str());
+  }
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadFlexiFiles(const InputRequest& request)
+{
+  vtkNew<vtkFlexiReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddStateFileName(request.files[i].c_str());
   }
   return ReadWith(*reader, request);
 }

@@ -18,6 +18,8 @@ InputGrid ReadGmshFiles(const InputRequest& request);
 InputGrid ReadNektarFiles(const InputRequest& request);
 /// x.nek5000, or x0.f00000 [x0.f00001 ...], which are time steps.
 InputGrid ReadNekFiles(const InputRequest& request);
+/// x_State_*.h5 [...], which are time steps, or x_mesh.h5 [x_State_*.h5 ...]
+InputGrid ReadFlexiFiles(const InputRequest& request);
 /// A field file in the first place.
 InputGrid RefuseFieldFile(const InputRequest& request);
 } // namespace pixelexact
