@@ -286,7 +286,13 @@ std::vector<HdfGrid> ReadVtkHdfParts(
     throw InvalidData("it has no time step " + std::to_string(step) + " any more; read it again");
   }
   notes.insert(notes.end(), opened.Notes().begin(), opened.Notes().end());
-  return PartReader(opened, step, notes).Read();
+  std::vector<HdfGrid> grids = PartReader(opened, step, notes).Read();
+  if (grids.empty())
+  {
+    throw InvalidData(
+      "its time step " + std::to_string(step) + " has no parts; choose another one (--time-step)");
+  }
+  return grids;
 }
 
 bool HasCurvedVtkHdfCells(const std::string& file)

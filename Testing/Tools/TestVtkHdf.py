@@ -186,6 +186,9 @@ class VtkHdf(ToolTest):
         for length in [len(whole) // 3, len(whole) // 2, len(whole) - 1]:
             path.write_bytes(whole[:length])
             self.fails(1, "info", path, names=[path, "HDF5"])
+        path = self.write("x.vtkhdf", [[part], []], steps=[0.0, 1.0])
+        self.succeeds("info", path)
+        self.fails(1, "info", path, "--time-step", 1, names=["time step 1 has no parts", "--time-step"])
         part.data["PointData"]["u"] = part.data["PointData"]["u"][:20]
         self.fails(1, "info", self.write("x.vtkhdf", [part]), names=["/VTKHDF/PointData/u", "fewer values"])
 
