@@ -68,8 +68,7 @@ void CopyAll(const std::vector<Value>& values, vtkDataArray& array)
 
 HdfArray ReadRows(const Hdf5File& file, const VtkHdfArray& from, const Hdf5Rows& rows)
 {
-  const auto array =
-    HdfArray::Take(vtkDataArray::CreateDataArray(VtkTypeOf(from.kind, from.bytes)));
+  auto array = HdfArray::Take(vtkDataArray::CreateDataArray(VtkTypeOf(from.kind, from.bytes)));
   array->SetName(from.name.c_str());
   array->SetNumberOfComponents(static_cast<int>(std::max<std::size_t>(from.components, 1)));
   const auto fill = [&](const auto& values)

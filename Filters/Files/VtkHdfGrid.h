@@ -17,9 +17,9 @@ namespace pixelexact
 /// The times of the file's steps, in its order; empty: it has no steps.
 std::vector<double> VtkHdfTimes(const std::string& file);
 
-/// Reads the parts of all blocks at a step, counted from 0; at least one. Numbers keep their type: arrays of
-/// single precision stay single, integers keep sign and size. Reals of more than double precision
-/// are rounded to double, which is noted, as is what is left out.
+/// Reads the parts of all blocks at a step, counted from 0; at least one. Numbers keep their type:
+/// arrays of single precision stay single, integers keep sign and size. Reals of more than double
+/// precision are rounded to double, which is noted, as is what is left out.
 std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ReadVtkHdfParts(
   const std::string& file, std::size_t step, std::vector<std::string>& notes);
 

@@ -187,9 +187,9 @@ void AddCorners(const Hdf5File& mesh, int order, const std::vector<std::size_t>&
     for (std::size_t c = 0; c < corners.size(); ++c)
     {
       const auto [i, j, k] = kCorners[c];
-      const auto node = static_cast<std::size_t>(order * (i + n * (j + n * k)));
-      corners[c] =
-        isSound ? numbers[first[e] + node] : static_cast<std::int64_t>(corners.size() * e + c);
+      const int node = order * (i + n * (j + n * k));
+      corners[c] = isSound ? numbers[first[e] + static_cast<std::size_t>(node)]
+                           : static_cast<std::int64_t>(corners.size() * e + c);
     }
     result.corners.push_back(corners);
   }

@@ -79,7 +79,10 @@ Series::Series(const std::vector<std::string>& files)
     }
     else if (!mesh.empty())
     {
-      throw InvalidData(name + ": it is a second mesh beside " + mesh + "; name one mesh.");
+      throw InvalidData(std::string(name)
+                          .append(": it is a second mesh beside ")
+                          .append(mesh)
+                          .append("; name one mesh."));
     }
     else
     {

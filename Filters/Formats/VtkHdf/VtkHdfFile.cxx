@@ -114,7 +114,11 @@ void VtkHdfFile::AddBlocks()
     }
     else if (!own.empty())
     {
-      Noted.push_back("the block '" + name + "' is of type " + own + " and is left out.");
+      Noted.emplace_back("the block '")
+        .append(name)
+        .append("' is of type ")
+        .append(own)
+        .append(" and is left out.");
     }
   }
   if (Blocks.empty())
@@ -324,21 +328,22 @@ std::vector<VtkHdfArray> VtkHdfFile::Arrays(
   {
     VtkHdfArray array;
     array.name = name;
-    array.path = root + "/" + name;
+    array.path = std::string(root).append("/").append(name);
     array.kind = Opened->KindOf(array.path);
     const bool isText = array.kind == Hdf5Kind::Texts && group == "FieldData";
     if (!isText &&
       (array.kind == Hdf5Kind::Texts || array.kind == Hdf5Kind::Group ||
         array.kind == Hdf5Kind::Other))
     {
-      notes.push_back("'" + name + "' in " + group + " has no numbers and is left out.");
+      notes.emplace_back("'").append(name).append("' in ").append(group).append(
+        " has no numbers and is left out.");
       continue;
     }
     const std::vector<std::size_t> shape = Opened->Shape(array.path);
     if (shape.empty())
     {
-      notes.push_back(
-        "'" + name + "' in " + group + " is a single value, not an array, and is left out.");
+      notes.emplace_back("'").append(name).append("' in ").append(group).append(
+        " is a single value, not an array, and is left out.");
       continue;
     }
     for (std::size_t d = 1; d < shape.size(); ++d)
