@@ -186,6 +186,27 @@ void vtkHighOrderIntegrate::ResetReport()
   this->UnresolvedArea = 0.0;
 }
 
+std::vector<ImplicitPolynomial> vtkHighOrderIntegrate::ClipsFor(vtkDataObject* /*mesh*/)
+{
+  std::vector<ImplicitPolynomial> clips;
+  for (const auto& function : this->ClipFunctions)
+  {
+    std::ranges::copy(IntegralClipsOf(function), std::back_inserter(clips));
+  }
+  return clips;
+}
+
+std::vector<SurfacePatch> vtkHighOrderIntegrate::PatchesFor(vtkDataObject* mesh)
+{
+  const std::vector<ImplicitPolynomial> clips = this->ClipsFor(mesh);
+  std::vector<SurfacePatch> patches = IntegralPatchesOf(this->CutFunction);
+  for (SurfacePatch& patch : patches)
+  {
+    std::ranges::copy(clips, std::back_inserter(patch.clips));
+  }
+  return patches;
+}
+
 bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
 {
   const int over = this->Chosen();
@@ -195,15 +216,12 @@ bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);
-  std::vector<ImplicitPolynomial> clips;
-  for (const auto& function : this->ClipFunctions)
-  {
-    std::ranges::copy(IntegralClipsOf(function), std::back_inserter(clips));
-  }
+  const auto clips =
+    over == OverCutFunction ? std::vector<ImplicitPolynomial>() : this->ClipsFor(mesh);
   SurfaceIntegral found;
   if (over == OverCutFunction)
   {
-    found = IntegratePatches(question, IntegralPatchesOf(this->CutFunction), clips, *model, effort);
+    found = IntegratePatches(question, this->PatchesFor(mesh), {}, *model, effort);
   }
   else if (over == OverIsoSurface)
   {

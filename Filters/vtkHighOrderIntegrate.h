@@ -31,6 +31,12 @@
 
 class vtkImplicitFunction;
 
+namespace pixelexact
+{
+struct ImplicitPolynomial;
+struct SurfacePatch;
+} // namespace pixelexact
+
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderIntegrate
   : public PIXELEXACT_MESH_FILTER(vtkTableAlgorithm)
 {
@@ -143,6 +149,15 @@ protected:
 
   void ResetReport() override;
   bool Make(vtkDataObject* mesh, Output* output) override;
+
+  ///@{
+  /**
+   * The patches of the cut-surface, with their clips, and the clips of an iso-surface and of the
+   * boundary. `mesh` is the input as Make gets it. Throws pixelexact::Error.
+   */
+  virtual std::vector<pixelexact::SurfacePatch> PatchesFor(vtkDataObject* mesh);
+  virtual std::vector<pixelexact::ImplicitPolynomial> ClipsFor(vtkDataObject* mesh);
+  ///@}
 
 private:
   vtkHighOrderIntegrate(const vtkHighOrderIntegrate&) = delete;

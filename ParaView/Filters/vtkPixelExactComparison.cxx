@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelExactComparison.h"
 
+#include "InputCut.h"
 #include "Parts/ParallelRun.h"
 #include "ResultOfParts.h"
 
@@ -14,7 +15,8 @@ vtkStandardNewMacro(vtkPixelExactComparison);
 using namespace pixelexact;
 
 vtkPixelExactComparison::vtkPixelExactComparison()
-  : Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
+  : Cut(std::make_unique<InputCut>())
+  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
 {
 }
 
@@ -23,6 +25,27 @@ vtkPixelExactComparison::~vtkPixelExactComparison() = default;
 void vtkPixelExactComparison::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseInputCut: " << this->Cut->ofInput << "\n";
+}
+
+vtkMTimeType vtkPixelExactComparison::GetMTime()
+{
+  return this->Cut->Latest(this->Superclass::GetMTime());
+}
+
+void vtkPixelExactComparison::SetCutFunction(vtkImplicitFunction* function)
+{
+  this->Cut->chosen = function;
+  this->Modified();
+}
+
+void vtkPixelExactComparison::SetUseInputCut(bool use)
+{
+  if (this->Cut->ofInput != use)
+  {
+    this->Cut->ofInput = use;
+    this->Modified();
+  }
 }
 
 int vtkPixelExactComparison::RequestUpdateExtent(vtkInformation* /*request*/,
@@ -36,10 +59,6 @@ int vtkPixelExactComparison::RequestUpdateExtent(vtkInformation* /*request*/,
 int vtkPixelExactComparison::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (ProcessesThatShare(outputVector) == nullptr)
-  {
-    return this->Superclass::RequestData(request, inputVector, outputVector);
-  }
   return ResultOfParts(
     this, outputVector,
     [&]
@@ -53,5 +72,8 @@ int vtkPixelExactComparison::RequestData(
       return wholes;
     },
     [&](vtkInformationVector** wholes)
-    { return this->Superclass::RequestData(request, wholes, outputVector); });
+    {
+      this->Superclass::SetCutFunction(this->Cut->In(vtkDataObject::GetData(wholes[0])));
+      return this->Superclass::RequestData(request, wholes, outputVector);
+    });
 }

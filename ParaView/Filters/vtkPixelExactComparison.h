@@ -17,6 +17,7 @@
 
 namespace pixelexact
 {
+struct InputCut;
 class WholeMesh;
 } // namespace pixelexact
 
@@ -26,6 +27,17 @@ public:
   static vtkPixelExactComparison* New();
   vtkTypeMacro(vtkPixelExactComparison, vtkHighOrderComparison);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Includes the cut function's.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The cut function, and whether that of the input replaces it; see pixelexact::InputCut.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  void SetUseInputCut(bool use);
+  ///@}
 
 protected:
   vtkPixelExactComparison();
@@ -40,6 +52,7 @@ private:
   vtkPixelExactComparison(const vtkPixelExactComparison&) = delete;
   void operator=(const vtkPixelExactComparison&) = delete;
 
+  std::unique_ptr<pixelexact::InputCut> Cut;
   std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 

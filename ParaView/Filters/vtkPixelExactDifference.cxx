@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelExactDifference.h"
 
+#include "InputCut.h"
 #include "Parts/ParallelRun.h"
 #include "ResultOfParts.h"
 
@@ -13,7 +14,8 @@ vtkStandardNewMacro(vtkPixelExactDifference);
 using namespace pixelexact;
 
 vtkPixelExactDifference::vtkPixelExactDifference()
-  : First(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
+  : Cut(std::make_unique<InputCut>())
+  , First(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
   , Second(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
 {
 }
@@ -23,6 +25,27 @@ vtkPixelExactDifference::~vtkPixelExactDifference() = default;
 void vtkPixelExactDifference::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseInputCut: " << this->Cut->ofInput << "\n";
+}
+
+vtkMTimeType vtkPixelExactDifference::GetMTime()
+{
+  return this->Cut->Latest(this->Superclass::GetMTime());
+}
+
+void vtkPixelExactDifference::SetCutFunction(vtkImplicitFunction* function)
+{
+  this->Cut->chosen = function;
+  this->Modified();
+}
+
+void vtkPixelExactDifference::SetUseInputCut(bool use)
+{
+  if (this->Cut->ofInput != use)
+  {
+    this->Cut->ofInput = use;
+    this->Modified();
+  }
 }
 
 void vtkPixelExactDifference::SetSecondFieldName(std::string name)
@@ -41,10 +64,6 @@ int vtkPixelExactDifference::RequestUpdateExtent(vtkInformation* /*request*/,
 int vtkPixelExactDifference::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (ProcessesThatShare(outputVector) == nullptr)
-  {
-    return this->Superclass::RequestData(request, inputVector, outputVector);
-  }
   return ResultOfParts(
     this, outputVector,
     [&]
@@ -53,5 +72,8 @@ int vtkPixelExactDifference::RequestData(
         { this->Second->Of(inputVector[1], outputVector, this) } };
     },
     [&](vtkInformationVector** wholes)
-    { return this->Superclass::RequestData(request, wholes, outputVector); });
+    {
+      this->Superclass::SetCutFunction(this->Cut->In(vtkDataObject::GetData(wholes[0])));
+      return this->Superclass::RequestData(request, wholes, outputVector);
+    });
 }

@@ -17,6 +17,7 @@
 
 namespace pixelexact
 {
+struct InputCut;
 class WholeMesh;
 } // namespace pixelexact
 
@@ -26,6 +27,17 @@ public:
   static vtkPixelExactDifference* New();
   vtkTypeMacro(vtkPixelExactDifference, vtkHighOrderDifference);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Includes the cut function's.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The cut function, and whether that of the input replaces it; see pixelexact::InputCut.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  void SetUseInputCut(bool use);
+  ///@}
 
   /**
    * The entry "Same Name" of ParaView's list is the field of the same name.
@@ -45,6 +57,7 @@ private:
   vtkPixelExactDifference(const vtkPixelExactDifference&) = delete;
   void operator=(const vtkPixelExactDifference&) = delete;
 
+  std::unique_ptr<pixelexact::InputCut> Cut;
   std::unique_ptr<pixelexact::WholeMesh> First;
   std::unique_ptr<pixelexact::WholeMesh> Second;
 };

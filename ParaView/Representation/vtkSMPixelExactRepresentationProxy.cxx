@@ -2,6 +2,7 @@
 #include "vtkSMPixelExactRepresentationProxy.h"
 
 #include "vtkPixelExactRepresentation.h"
+#include "vtkSMPixelExactShownCut.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -10,11 +11,9 @@
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
-#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
@@ -47,22 +46,6 @@ vtkPVXMLElement* Untraced(vtkPVXMLElement* hints)
     untraced->AddNestedElement(link);
   }
   return untraced;
-}
-
-/// Whether a view is in the window of the client, whose interactors are Qt's.
-bool HasWindow(vtkSMSessionProxyManager* proxies)
-{
-  for (unsigned int i = 0; i < proxies->GetNumberOfProxies("views"); ++i)
-  {
-    const char* const name = proxies->GetProxyName("views", i);
-    auto* const view = vtkSMRenderViewProxy::SafeDownCast(proxies->GetProxy("views", name));
-    vtkRenderWindowInteractor* const interactor = view != nullptr ? view->GetInteractor() : nullptr;
-    if (interactor != nullptr && std::string_view(interactor->GetClassName()).starts_with("QVTK"))
-    {
-      return true;
-    }
-  }
-  return false;
 }
 } // namespace
 
@@ -157,7 +140,7 @@ void vtkSMPixelExactRepresentationProxy::ChooseFirstSurface()
   }
   vtkSMProxy* const plane = vtkSMPropertyHelper(this, "CutFunction").GetAsProxy();
   if (plane != nullptr && plane->GetProperty("Normal") != nullptr &&
-    HasWindow(this->GetSessionProxyManager()))
+    vtkSMPixelExactShownCut::HasWindow(this->GetSessionProxyManager()))
   {
     const double normal[3] = { 0.0, 0.0, 1.0 };
     vtkSMPropertyHelper(plane, "Normal").Set(normal, 3);
