@@ -32,6 +32,13 @@ namespace
     { "raise that number", "raise that number under Properties" },
     { "MaximumNumberOfNodes", "Maximum Number Of Nodes" },
     { "PixelExact's classes use", "PixelExact's pictures and filters use" },
+    { "whoever asked this mapper for its input (vtkCellPicker, vtkPointPicker or an exporter) gets "
+      "an empty vtkPolyData. Pick with vtkHighOrderPicker, vtkPropPicker or "
+      "vtkHardwareSelector; to export, write the picture (vtkWindowToImageFilter), the mapper's "
+      "GetBuffers(), or polygons of your own made from its input by GetInput().",
+      "Export Scene writes nothing for it, and picks do not find it. Export the triangles of "
+      "PixelExact Linear Cut or the lines of PixelExact Contour, shown in its place, or save the "
+      "picture by Save Screenshot; pick by Value Under Pointer." },
     // Filters.
     { "vtkUnstructuredGridToHighOrderGrid", "PixelExact Convert" },
     { "vtkHighOrderPack", "PixelExact Pack" },

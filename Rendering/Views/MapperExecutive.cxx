@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/MapperExecutive.h"
 
+#include "MessageWords.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
@@ -45,11 +47,11 @@ vtkDataObject* MapperExecutive::GetInputData(int port, int connection)
   {
     this->Warned = true;
     vtkWarningWithObjectMacro(this->GetAlgorithm(),
-      << "A cut-surface has no polygons: whoever asked this mapper for its input (vtkCellPicker, "
-         "vtkPointPicker or an exporter) gets an empty vtkPolyData. Pick with vtkHighOrderPicker, "
-         "vtkPropPicker or vtkHardwareSelector; to export, write the picture "
-         "(vtkWindowToImageFilter), the mapper's GetBuffers(), or polygons of your own made from "
-         "its input by GetInput().");
+      << Worded("A cut-surface has no polygons: whoever asked this mapper for its input "
+                "(vtkCellPicker, vtkPointPicker or an exporter) gets an empty vtkPolyData. Pick "
+                "with vtkHighOrderPicker, vtkPropPicker or vtkHardwareSelector; to export, write "
+                "the picture (vtkWindowToImageFilter), the mapper's GetBuffers(), or polygons of "
+                "your own made from its input by GetInput()."));
   }
   if (this->Nothing->GetPoints() == nullptr)
   {
