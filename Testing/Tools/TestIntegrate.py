@@ -57,6 +57,55 @@ class Integrate(ToolTest):
         _, rows = self.rows(case("dolfinx_hex_g2_p4"), "--boundary", "--tolerance", "1e-4")
         self.assertGreater(rows["Area"]["lower"], 0.0)
 
+    def slabs(self, ends, side=1.0):
+        """Squares times the intervals between these z, one hexahedron each."""
+        square = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]
+        points = [
+            f"{x!r} {y!r} {z!r}"
+            for pair in zip(ends, ends[1:], strict=False)
+            for z in pair
+            for x, y in square
+        ]
+        count = len(ends) - 1
+        path = self.folder / "slabs.vtk"
+        path.write_text(
+            "# vtk DataFile Version 3.0\nslabs\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+            f"POINTS {len(points)} double\n" + "\n".join(points)
+            + f"\nCELLS {count} {9 * count}\n"
+            + "\n".join("8 " + " ".join(str(8 * k + i) for i in range(8)) for k in range(count))
+            + f"\nCELL_TYPES {count}\n" + "12\n" * count
+        )
+        return path
+
+    def test_planes_beside_faces_of_elements_of_different_sizes_count_once(self):
+        for ends in ([0.0, 1.0, 1.01], [-0.01, 0.0, 1.0], [-1000.0, 0.0, 1e-3], [0.0, 1.0, 2.0]):
+            path = self.slabs(ends)
+            for off in (0.0, 1e-16, 1e-15, 3e-15, 1e-14, 1e-13, 1e-12, 1e-11):
+                for z in {ends[1] + off, ends[1] - off}:
+                    with self.subTest(ends=ends, z=z):
+                        _, rows = self.rows(path, "--plane", f"0,0,{z!r},0,0,1")
+                        self.assertLessEqual(rows["Area"]["lower"], 1.0)
+                        self.assertGreaterEqual(rows["Area"]["upper"], 1.0)
+                        # Rounding at 1000 hides on which side of the face the plane is.
+                        most = 2.0 if min(ends) < -1.0 else 1.0
+                        self.assertLess(rows["Area"]["upper"], most + 1e-6)
+
+    def test_elements_thinner_than_their_uncertainty_keep_what_the_surface_may_have_there(self):
+        for ends in ([0.0, 1e-15], [0.0, 1e-15, 1.0], [0.0, 3e-15, 1.0], [-1.0, 0.0, 3e-15, 1.0]):
+            path = self.slabs(ends)
+            z = 0.3 * max(end for end in ends if end < 0.5)
+            with self.subTest(ends=ends, z=z):
+                _, rows = self.rows(path, "--plane", f"0,0,{z!r},0,0,1")
+                self.assertLessEqual(rows["Area"]["lower"], 1.0)
+                self.assertGreaterEqual(rows["Area"]["upper"], 1.0)
+
+    def test_sizes_that_would_underflow_are_refused(self):
+        path = self.slabs([0.0, 1e-120], side=1e-120)
+        self.fails(
+            *(1, "integrate", path, "--plane", "0,0,3e-121,0,0,1"),
+            names=("Give the mesh in other units",),
+        )
+
     def test_faces_that_are_covered_in_part_are_told(self):
         """Two cubes, of sides 1 and 1/2, where a quarter of a face of the first is covered."""
         corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]

@@ -198,9 +198,18 @@ ElementMeeting MeetingOf(ElementFunctions& functions)
       }
     }
   }
-  if (off || (positive && negative))
+  if (off)
   {
-    meeting.problem = off ? ElementProblem::None : ElementProblem::Flat;
+    return meeting;
+  }
+  meeting.isClear = !meets;
+  if (positive && negative)
+  {
+    // The element is thinner than its uncertainty: what the surface has in it is small, but it is
+    // not a face of it. A field that has the value throughout is no surface.
+    const bool isOfPlace = functions.Question().cut->MadeOf() == nullptr;
+    meeting.problem = isOfPlace ? ElementProblem::None : ElementProblem::Flat;
+    meeting.inside = isOfPlace && meets;
     return meeting;
   }
   meeting.faces = held;

@@ -76,8 +76,14 @@ struct ElementMeeting
 {
   ElementProblem problem = ElementProblem::None;
   bool inside = false;
-  bool above = false; ///< on the surface's positive side
-  unsigned faces = 0;
+  bool above = false;   ///< on the surface's positive side
+  bool isClear = false; ///< the surface is proven to have no point in the element
+  unsigned faces = 0;   ///< that lie in the surface, up to the element's uncertainty
+
+  [[nodiscard]] bool Holds(int face) const
+  {
+    return (faces >> static_cast<unsigned>(face) & 1U) != 0;
+  }
 };
 ElementMeeting MeetingOf(ElementFunctions& functions);
 

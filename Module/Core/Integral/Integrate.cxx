@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -44,24 +45,24 @@ void Check(const IntegralEffort& effort)
 /// of lengths^n, and the integrals of these times lengths^3.
 void CheckSizes(const IntegralQuestion& question)
 {
+  constexpr double kLargest = 1e100;
   const bool isOfPlace = question.cut != nullptr && question.cut->MadeOf() == nullptr;
   int factor = isOfPlace ? question.cut->Factor() : 1;
   for (const ImplicitPolynomial& clip : question.clips)
   {
     factor = std::max(factor, clip.Degree());
   }
-  if (factor == 1)
-  {
-    return;
-  }
-  const double largest = std::ldexp(1.0, 400 / (factor + 1));
+  const double largest = factor == 1 ? kLargest : std::ldexp(1.0, 400 / (factor + 1));
   for (int e = 0; e < question.mesh.Elements(); ++e)
   {
     const double size = question.mesh.size[static_cast<std::size_t>(e)];
     if (size > 0.0 && !(size <= largest && size >= 1.0 / largest))
     {
       std::ostringstream text;
-      text << "integrals over " << (factor > 2 ? "tori" : "quadrics")
+      text << "integrals"
+           << (factor > 2      ? " over tori"
+                  : factor > 1 ? " over quadrics"
+                               : "")
            << " are taken where elements are of sizes from " << 1.0 / largest << " to " << largest
            << "; element " << e << " is of size " << size << ". Give the mesh in other units.";
       throw Unsupported(text.str());
@@ -98,6 +99,71 @@ bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
   MapForward(mesh, element, std::span(&point.xi, 1), std::span(&point.x, 1));
   return !owner.IsAnothers(element, face, point);
 }
+
+/// Elements and faces that a cut meets.
+struct MetParts
+{
+  std::vector<int> inside;
+  std::vector<SeenFace> held;
+  /// Faces on which it lies, unless it lies in the interior of the element behind them.
+  std::vector<SeenFace> unsure;
+};
+
+/// Adds the faces of an element that lie in the surface. Elements decide that with their own
+/// uncertainties, which differ with their sizes: a face that one element holds may be clear of the
+/// surface, or cut by it, for the other one.
+void AddHeld(const IntegralQuestion& question, int element, const ElementMeeting& meeting,
+  const FaceOwner& owner, const FaceTable& faces,
+  const std::function<const ElementMeeting*(int)>& meetingOf, MetParts& met)
+{
+  for (int f = 0; f < 6; ++f)
+  {
+    if (!meeting.Holds(f))
+    {
+      continue;
+    }
+    const ElementFace behind = faces.KindOf(element, f) == FaceKind::Interior
+      ? faces.NeighbourOf(element, f)
+      : ElementFace{};
+    const ElementMeeting* const other = behind.element >= 0 ? meetingOf(behind.element) : nullptr;
+    const SeenFace seen{ { element, f }, meeting.above ? -1.0 : 1.0 };
+    if (other != nullptr && other->problem == ElementProblem::None && other->inside)
+    {
+      // The other element has its own part. This one has none where the surface is clear of it.
+      if (!meeting.isClear)
+      {
+        met.unsure.push_back(seen);
+      }
+    }
+    else if (other != nullptr && other->problem == ElementProblem::None &&
+      !other->Holds(behind.face))
+    {
+      // If neither is proven clear of it, the surface may be in this one, or on another face of the
+      // other one alone.
+      if (other->isClear && !meeting.isClear)
+      {
+        met.held.push_back(seen);
+      }
+      else if (!meeting.isClear || other->faces == 0)
+      {
+        met.unsure.push_back(seen);
+      }
+    }
+    else if (IsOurs(question.mesh, owner, element, f))
+    {
+      met.held.push_back(seen);
+    }
+  }
+}
+
+/// Sums of which each may also be zero.
+void JoinZero(Sums& sums)
+{
+  for (Interval& sum : sums)
+  {
+    sum = Join(sum, Interval(0.0));
+  }
+}
 } // namespace
 
 SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& locator,
@@ -123,32 +189,38 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
 
   SurfaceIntegral result;
   result.sums.resize(question.Quantities());
-  std::vector<int> inside;
-  std::vector<SeenFace> held;
+  MetParts met;
   const FaceOwner owner(locator, faces);
+  const auto meetingOf = [&](int element) -> const ElementMeeting*
+  {
+    const auto found = std::ranges::lower_bound(near, element);
+    return found != near.end() && *found == element
+      ? &meetings[static_cast<std::size_t>(found - near.begin())]
+      : nullptr;
+  };
   for (std::size_t k = 0; k < near.size(); ++k)
   {
-    const int element = near[k];
     const ElementMeeting& meeting = meetings[k];
     result.notFinite += meeting.problem == ElementProblem::NotFinite ? 1 : 0;
     result.tooHigh += meeting.problem == ElementProblem::TooHigh ? 1 : 0;
     result.flat += meeting.problem == ElementProblem::Flat ? 1 : 0;
     if (meeting.inside)
     {
-      inside.push_back(element);
-      continue;
+      met.inside.push_back(near[k]);
     }
-    for (int f = 0; f < 6; ++f)
+    else
     {
-      if ((meeting.faces >> static_cast<unsigned>(f) & 1U) != 0 &&
-        IsOurs(question.mesh, owner, element, f))
-      {
-        held.push_back({ { element, f }, meeting.above ? -1.0 : 1.0 });
-      }
+      AddHeld(question, near[k], meeting, owner, faces, meetingOf, met);
     }
   }
-
-  const SurfaceIntegral ofFaces = OverFaces(question, held, effort, deadline);
+  const std::vector<int>& inside = met.inside;
+  SurfaceIntegral ofFaces = OverFaces(question, met.held, effort, deadline);
+  if (!met.unsure.empty())
+  {
+    SurfaceIntegral unsure = OverFaces(question, met.unsure, effort, deadline);
+    JoinZero(unsure.sums);
+    AddTo(ofFaces, unsure);
+  }
   Rounds rounds(question.Quantities(), effort);
   std::vector<std::optional<ElementIntegral>> parts(inside.size());
   const auto stop = [&deadline] { return deadline.IsOver(); };
@@ -182,7 +254,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
   }
   result.magnitudes = rounds.Magnitudes;
   result.timeIsOver = deadline.IsOver() && !result.met;
-  result.faces = static_cast<std::int64_t>(held.size());
+  result.faces = static_cast<std::int64_t>(met.held.size() + met.unsure.size());
   std::atomic<std::int64_t> notValid{ 0 };
   tbb::parallel_for(std::size_t{ 0 }, inside.size(),
     [&](std::size_t k)
@@ -235,6 +307,7 @@ SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const
   const IntegralEffort& effort)
 {
   Check(effort);
+  CheckSizes(question);
   std::vector<SeenFace> seen;
   for (const ElementFace& face : faces)
   {
