@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import sys
 import tempfile
 import unittest
 
@@ -9,6 +10,14 @@ import numpy
 from paraview import servermanager, simple
 
 import scene
+
+# The writers of the program's tests.
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Testing", "Tools"))
+import hdf5  # noqa: E402
+
+flexi = None
+if hdf5.LIBRARY:
+    import flexi  # noqa: E402
 
 NEKTAR = [
     "nek_hex_aniso_p3p5p7",
@@ -129,6 +138,41 @@ class Readers(unittest.TestCase):
         reader.Fields = ["pressure"]
         reader.UpdatePipeline()
         self.assertNotIn("velocity", reader.PointData.keys())
+
+    def test_vtkhdf(self):
+        """Steps of 1 + t x - 2 y z + (t + 1) x^2 on three cubes in two parts."""
+        reader = simple.PixelExactGridReader(FileName=[scene.data("vtkhdf_steps.vtkhdf")])
+        reader.UpdatePipelineInformation()
+        self.assertEqual(list(reader.TimestepValues), [0.0, 0.5, 1.0])
+        points = numpy.random.default_rng(5).uniform(0.05, 0.95, (100, 3)) * [3, 1, 1]
+        x, y, z = points.T
+        for t in reader.TimestepValues:
+            simple.GetAnimationScene().AnimationTime = t
+            reader.UpdatePipeline(t)
+            found = scene.probe(reader, points)
+            values = 1 + t * x - 2 * y * z + (t + 1) * x * x
+            self.assertTrue((found["Verdict"] == 1).all())
+            self.assertLess(numpy.abs(found["u"].ravel() - values).max(), 1e-12)
+
+    @unittest.skipUnless(flexi, "there is no HDF5 library to write files with")
+    def test_flexi(self):
+        fields = {"Density": lambda x, y, z: 1 + x * y - z * z, "MomentumX": lambda x, y, z: z - x}
+        with tempfile.TemporaryDirectory() as folder:
+            flexi.write_mesh(os.path.join(folder, "box_mesh.h5"), (2, 1, 2), 2)
+            states = [os.path.join(folder, f"box_State_{k}.h5") for k in (1, 2)]
+            for state, time in zip(states, (0.25, 0.5)):
+                flexi.write_state(state, (2, 1, 2), 6, fields, time=time)
+            with scene.messages() as heard:
+                reader = simple.PixelExactFLEXIReader(FileName=states)
+                reader.UpdatePipelineInformation()
+                self.assertEqual(list(reader.TimestepValues), [0.25, 0.5])
+                points = flexi.bent(numpy.random.default_rng(6).uniform(0.01, 0.99, (3, 100)))
+                found = scene.probe(reader, points.T)
+            self.assertTrue((found["Verdict"] == 1).all())
+            for name, function in fields.items():
+                self.assertLess(numpy.abs(found[name].ravel() - function(*points)).max(), 1e-12)
+            self.assertEqual(heard, [""])
+            self.assertIn("PixelExactFlexiReader", self.readers_of(states[0]))
 
     def test_grids(self):
         for name in GRIDS:
