@@ -37,6 +37,16 @@ def load():
     return rows
 
 
+def not_read():
+    """The formats that are refused by name: name, suffixes, remedy, and whether a folder may be one."""
+    rows = [{"folder": False, **given} for given in _table()["not_read"]]
+    known = {suffix for row in load() for suffix in row["mesh"] + row["fields"]}
+    for row in rows:
+        if set(row) != {"name", "suffixes", "remedy", "folder"} or known & set(row["suffixes"]):
+            raise ValueError(f"{row['name']}: unknown or missing keys, or a suffix that is read")
+    return rows
+
+
 def own_fields(row):
     """The suffixes of field files that no mesh file has."""
     return [suffix for suffix in row["fields"] if suffix not in row["mesh"]]

@@ -81,6 +81,12 @@ def write_formats(out):
             cxx_suffix(suffix, row, "RefuseFieldFile", False, row["field_folders"])
             for suffix in formats.own_fields(row)
         ]
+    for row in formats.not_read():
+        rows += [
+            f"  {{ .suffix = {cxx_string(suffix)}, .name = {cxx_string(row['name'])},"
+            f" .mayBeFolder = {str(row['folder']).lower()}, .remedy = {cxx_string(row['remedy'])} }},\n"
+            for suffix in row["suffixes"]
+        ]
     out.write_text(BEGIN_CXX.format("formats.json") + "".join(rows), encoding="utf-8")
 
 

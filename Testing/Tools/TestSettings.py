@@ -163,6 +163,16 @@ class Formats(ToolTest):
         listed = re.search(r"suffixes are (.*), and", done.stderr)[1].split(", ")
         self.assertEqual(listed, [suffix for row in formats.load() for suffix in row["mesh"]])
 
+    def test_formats_that_are_not_read(self):
+        """They are refused by name, with the remedy, and files.md names their suffixes."""
+        page = (PAGE.parent / "files.md").read_text(encoding="utf-8")
+        for row in formats.not_read():
+            for number, suffix in enumerate(row["suffixes"]):
+                file = self.folder / f"{number}{suffix}"
+                file.mkdir() if row["folder"] else self.write(file.name)
+                self.fails(1, "info", file, names=[file, row["name"], row["remedy"]])
+                self.assertIn(f"`{suffix}`", page)
+
     def test_names_of_formats(self):
         """Files of two formats are refused by the names of both."""
         for row in formats.load():

@@ -13,9 +13,10 @@ struct Format
 {
   const char* suffix;
   const char* name;
-  bool hasMesh; ///< false: the files hold fields without a mesh, and `read` refuses them
-  bool mayBeFolder;
-  InputGrid (*read)(const InputRequest&); ///< throws as ReadInput
+  bool hasMesh = false; ///< false: the files hold fields without a mesh, and `read` refuses them
+  bool mayBeFolder = false;
+  InputGrid (*read)(const InputRequest&) = nullptr; ///< throws as ReadInput
+  const char* remedy = nullptr;                     ///< of formats that are not read
 };
 
 /// All rows, in the order in which messages list the suffixes. FormatTable.cxx defines it: that

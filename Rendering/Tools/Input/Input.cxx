@@ -203,6 +203,11 @@ InputGrid Read(const InputRequest& request)
       "': its suffix is of no format known here; suffixes are " + InputSuffixes() +
       ", and .000000 of a piece of an MFEM mesh");
   }
+  if (format->remedy != nullptr)
+  {
+    throw UnknownFormat("cannot read '" + first + "': files of " + std::string(format->name) +
+      " are not read; " + format->remedy);
+  }
   CheckCompanions(request.files, *format);
   std::for_each(request.files.begin() + 1, request.files.end(), CheckFile);
   try
