@@ -90,6 +90,29 @@ class Integrate(ToolTest):
                         most = 2.0 if min(ends) < -1.0 else 1.0
                         self.assertLess(rows["Area"]["upper"], most + 1e-6)
 
+    def test_planes_beside_hanging_faces_count_once(self):
+        """A box below four smaller ones."""
+        for height in (0.5, 0.9, 1.0, 4.0):
+            boxes = [(0.0, 0.0, -1.0, 1.0, 1.0, 0.0)]
+            boxes += [(x, y, 0.0, x + 0.5, y + 0.5, height) for x in (0.0, 0.5) for y in (0.0, 0.5)]
+            corners = [(0, 1, 2), (3, 1, 2), (3, 4, 2), (0, 4, 2), (0, 1, 5), (3, 1, 5), (3, 4, 5), (0, 4, 5)]
+            path = self.folder / "boxes.vtk"
+            path.write_text(
+                "# vtk DataFile Version 3.0\nboxes\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 40 double\n"
+                + "\n".join(" ".join(repr(box[i]) for i in corner) for box in boxes for corner in corners)
+                + "\nCELLS 5 45\n"
+                + "\n".join("8 " + " ".join(str(8 * k + i) for i in range(8)) for k in range(5))
+                + "\nCELL_TYPES 5\n" + "12\n" * 5
+            )
+            for off in (0.0, 1e-15, 3e-15, 5e-15, 7e-15, 1e-14, 1e-13):
+                for z in {off, -off}:
+                    with self.subTest(height=height, z=z):
+                        _, rows = self.rows(path, "--plane", f"0,0,{z!r},0,0,1")
+                        self.assertLessEqual(rows["Area"]["lower"], 1.0)
+                        self.assertGreaterEqual(rows["Area"]["upper"], 1.0)
+                        if off in (0.0, 1e-13):
+                            self.assertLess(rows["Area"]["error_bound"], 1e-6)
+
     def test_elements_thinner_than_their_uncertainty_keep_what_the_surface_may_have_there(self):
         for ends in ([0.0, 1e-15], [0.0, 1e-15, 1.0], [0.0, 3e-15, 1.0], [-1.0, 0.0, 3e-15, 1.0]):
             path = self.slabs(ends)

@@ -76,6 +76,19 @@ class VtkHdf(ToolTest):
                 self.assertEqual(self.summary("info", path, "--time-step", step)["elements"], elements)
         self.fails(1, "info", path, "--time-step", 3, names=["3 time steps"])
 
+    def test_steps_without_numbers_of_parts(self):
+        """Steps share all parts of a mesh that stands still, or have equally many."""
+        points = np.random.default_rng(4).uniform(0.05, 0.95, (50, 3)) * [3, 1, 1]
+        times = [0.5, 0.75]
+        for moving in [True, False]:
+            with self.subTest(moving=moving):
+                every = [[lagrange_cube(x, lambda x, y, z, t=t: t * x * x + y) for x in range(3)] for t in times]
+                path = self.write("steps.vtkhdf", every, steps=times, moving=moving, counted=False)
+                for step, time in enumerate(times):
+                    expected = time * points[:, 0] ** 2 + points[:, 1]
+                    found = self.values(path, points, "--time-step", step)
+                    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13)
+
     def test_example(self):
         """Data/ holds what vtkhdf.py writes; TestTimeSeries.cxx reads it."""
         path = self.folder / "example.vtkhdf"

@@ -59,10 +59,11 @@ class Part:
 
 
 def write_block(file, root, parts, *, steps=None, moving=True, version=(2, 0), kind="UnstructuredGrid", chunk=None,
-                marks="array", field_data=None, index=None, cells=None):
+                marks="array", field_data=None, index=None, cells=None, counted=True):
     """Writes a grid at `root`. `parts`: its parts, or for `steps`, times, a list of parts for each of them. Where
     the mesh is not `moving` it is written once, at the first step. `marks`: where purposes of arrays are stated:
-    "array", "group" or None. `cells`: a number of cells for each part that need not be true."""
+    "array", "group" or None. `cells`: a number of cells for each part that need not be true. `counted`: steps state
+    their numbers of parts."""
     every = parts if steps is not None else [parts]
     meshes = every if moving else every[:1]
     flat = [part for step in meshes for part in step]
@@ -90,10 +91,10 @@ def write_block(file, root, parts, *, steps=None, moving=True, version=(2, 0), k
     for name, values in (field_data or {}).items():
         file.dataset(f"{root}/FieldData/{name}", values)
     if steps is not None:
-        write_steps(file, root, every, steps, moving)
+        write_steps(file, root, every, steps, moving, counted)
 
 
-def write_steps(file, root, every, times, moving):
+def write_steps(file, root, every, times, moving, counted=True):
     """The group Steps."""
     def before(count):
         return np.concatenate([[0], np.cumsum([sum(count(part) for part in step) for step in every])[:-1]])
@@ -102,7 +103,8 @@ def write_steps(file, root, every, times, moving):
     file.group(f"{root}/Steps")
     file.attribute(f"{root}/Steps", "NSteps", np.array(len(times)))
     file.dataset(f"{root}/Steps/Values", np.array(times, float))
-    file.dataset(f"{root}/Steps/NumberOfParts", np.array([len(step) for step in every]))
+    if counted:
+        file.dataset(f"{root}/Steps/NumberOfParts", np.array([len(step) for step in every]))
     file.dataset(f"{root}/Steps/PartOffsets", mesh * before(lambda part: 1))
     file.dataset(f"{root}/Steps/PointOffsets", mesh * before(lambda part: len(part.points)))
     file.dataset(f"{root}/Steps/CellOffsets", mesh * before(lambda part: len(part.types))[:, None])

@@ -231,8 +231,12 @@ std::vector<VtkHdfPart> VtkHdfFile::Parts(std::size_t block, std::size_t step) c
   {
     const std::string of = root + "/Steps/";
     const auto at = [&](const char* name) { return AtStep(of + name, step).value_or(0); };
-    count = AtStep(of + "NumberOfParts", step).value_or(count / steps);
     first = at("PartOffsets");
+    // Without numbers of parts, steps share all of them or have equally many of their own.
+    const std::uint64_t ofOne = steps > 1
+      ? AtStep(of + "PartOffsets", 1).value_or(0) - AtStep(of + "PartOffsets", 0).value_or(0)
+      : 0;
+    count = AtStep(of + "NumberOfParts", step).value_or(ofOne > 0 ? ofOne : count);
     next.points.first = at("PointOffsets");
     next.cells.first = at("CellOffsets");
     next.connectivity.first = at("ConnectivityIdOffsets");

@@ -9,12 +9,12 @@
 #include "Core/Integral/IntegralCut.h"
 #include "Core/Location/Sample.h"
 
+#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -111,50 +111,128 @@ struct MetParts
 
 /// Adds the faces of an element that lie in the surface. Elements decide that with their own
 /// uncertainties, which differ with their sizes: a face that one element holds may be clear of the
-/// surface, or cut by it, for the other one.
-void AddHeld(const IntegralQuestion& question, int element, const ElementMeeting& meeting,
-  const FaceOwner& owner, const FaceTable& faces,
-  const std::function<const ElementMeeting*(int)>& meetingOf, MetParts& met)
+/// surface, or cut by it, for the other ones.
+class HeldFaces
 {
-  for (int f = 0; f < 6; ++f)
+public:
+  /// `near`: in ascending order, with their meetings.
+  HeldFaces(const IntegralQuestion& question, const Locator& locator, const FaceTable& faces,
+    std::span<const int> near, std::span<const ElementMeeting> meetings)
+    : question_(question)
+    , locator_(locator)
+    , Faces(faces)
+    , Owner(locator, faces)
+    , Near(near)
+    , Meetings(meetings)
   {
-    if (!meeting.Holds(f))
+  }
+
+  void Add(int element, const ElementMeeting& meeting, MetParts& met) const
+  {
+    for (int f = 0; f < 6; ++f)
     {
-      continue;
-    }
-    const ElementFace behind = faces.KindOf(element, f) == FaceKind::Interior
-      ? faces.NeighbourOf(element, f)
-      : ElementFace{};
-    const ElementMeeting* const other = behind.element >= 0 ? meetingOf(behind.element) : nullptr;
-    const SeenFace seen{ { element, f }, meeting.above ? -1.0 : 1.0 };
-    if (other != nullptr && other->problem == ElementProblem::None && other->inside)
-    {
-      // The other element has its own part. This one has none where the surface is clear of it.
-      if (!meeting.isClear)
+      if (meeting.Holds(f))
       {
-        met.unsure.push_back(seen);
+        const FaceKind kind = Faces.KindOf(element, f);
+        const Count counts = kind == FaceKind::Interior ? BesideOne(element, meeting, f)
+          : kind == FaceKind::Boundary                  ? Count::Whole
+                                                        : BesideSeveral(element, meeting, f);
+        const SeenFace seen{ { element, f }, meeting.above ? -1.0 : 1.0 };
+        if (counts == Count::Unsure)
+        {
+          met.unsure.push_back(seen);
+        }
+        else if (counts == Count::Alone ||
+          (counts == Count::Whole && IsOurs(question_.mesh, Owner, element, f)))
+        {
+          met.held.push_back(seen);
+        }
       }
-    }
-    else if (other != nullptr && other->problem == ElementProblem::None &&
-      !other->Holds(behind.face))
-    {
-      // If neither is proven clear of it, the surface may be in this one, or on another face of the
-      // other one alone.
-      if (other->isClear && !meeting.isClear)
-      {
-        met.held.push_back(seen);
-      }
-      else if (!meeting.isClear || other->faces == 0)
-      {
-        met.unsure.push_back(seen);
-      }
-    }
-    else if (IsOurs(question.mesh, owner, element, f))
-    {
-      met.held.push_back(seen);
     }
   }
-}
+
+private:
+  enum class Count : std::uint8_t
+  {
+    Never,  ///< the surface is in the interior, or on another face, of the elements behind
+    Unsure, ///< the face's integral or nothing
+    Whole,  ///< once, for this element or another one that holds it (IsOurs)
+    Alone   ///< the elements behind are clear of the surface
+  };
+
+  [[nodiscard]] const ElementMeeting* MeetingOf(int element) const
+  {
+    const auto found = std::ranges::lower_bound(Near, element);
+    return found != Near.end() && *found == element
+      ? &Meetings[static_cast<std::size_t>(found - Near.begin())]
+      : nullptr;
+  }
+
+  [[nodiscard]] Count BesideOne(int element, const ElementMeeting& meeting, int face) const
+  {
+    const ElementFace behind = Faces.NeighbourOf(element, face);
+    const ElementMeeting* const other = behind.element >= 0 ? MeetingOf(behind.element) : nullptr;
+    if (other == nullptr || other->problem != ElementProblem::None)
+    {
+      return Count::Whole;
+    }
+    if (other->inside)
+    {
+      return meeting.isClear ? Count::Never : Count::Unsure;
+    }
+    if (other->Holds(behind.face))
+    {
+      return Count::Whole;
+    }
+    // If neither is proven clear of it, the surface may be in this one, or on another face of the
+    // other one alone.
+    return other->isClear && !meeting.isClear ? Count::Alone
+      : meeting.isClear && other->faces != 0  ? Count::Never
+                                              : Count::Unsure;
+  }
+
+  /// Elements behind a hanging face are among those whose boxes meet the element's.
+  [[nodiscard]] Count BesideSeveral(int element, const ElementMeeting& meeting, int face) const
+  {
+    const ReferenceFace& reference = ReferenceFaceOf(question_.mesh.ShapeOf(element), face);
+    std::vector<int> beside;
+    locator_.Index().FindNear(BoxOfCorners(element, reference), beside);
+    bool areHolding = true;
+    bool areInside = true;
+    for (const int other : beside)
+    {
+      const ElementMeeting* const own = other == element ? nullptr : MeetingOf(other);
+      if (own != nullptr && own->problem == ElementProblem::None)
+      {
+        areHolding = areHolding && !own->inside && own->faces != 0;
+        areInside = areInside && own->inside;
+      }
+    }
+    return areHolding ? Count::Whole : areInside && meeting.isClear ? Count::Never : Count::Unsure;
+  }
+
+  /// The box of the images of a face's corners.
+  [[nodiscard]] Box3 BoxOfCorners(int element, const ReferenceFace& reference) const
+  {
+    const auto corners = static_cast<std::size_t>(reference.corners);
+    std::vector<Vec3> x(corners);
+    MapForward(question_.mesh, element, std::span(reference.corner).first(corners), x);
+    Box3 box{ x.front(), x.front() };
+    for (const Vec3& corner : x)
+    {
+      box.lower = glm::min(box.lower, corner);
+      box.upper = glm::max(box.upper, corner);
+    }
+    return box;
+  }
+
+  const IntegralQuestion& question_;
+  const Locator& locator_;
+  const FaceTable& Faces;
+  FaceOwner Owner;
+  std::span<const int> Near;
+  std::span<const ElementMeeting> Meetings;
+};
 
 /// Sums of which each may also be zero.
 void JoinZero(Sums& sums)
@@ -190,14 +268,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
   SurfaceIntegral result;
   result.sums.resize(question.Quantities());
   MetParts met;
-  const FaceOwner owner(locator, faces);
-  const auto meetingOf = [&](int element) -> const ElementMeeting*
-  {
-    const auto found = std::ranges::lower_bound(near, element);
-    return found != near.end() && *found == element
-      ? &meetings[static_cast<std::size_t>(found - near.begin())]
-      : nullptr;
-  };
+  const HeldFaces heldFaces(question, locator, faces, near, meetings);
   for (std::size_t k = 0; k < near.size(); ++k)
   {
     const ElementMeeting& meeting = meetings[k];
@@ -210,7 +281,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
     }
     else
     {
-      AddHeld(question, near[k], meeting, owner, faces, meetingOf, met);
+      heldFaces.Add(near[k], meeting, met);
     }
   }
   const std::vector<int>& inside = met.inside;
