@@ -149,7 +149,7 @@ bool AreBlurred(const RayBundle& bundle, const Mesh& mesh, const CurvedPart& par
 void AddUndecided(const RayBundle& bundle, const RayLanes& rays, PieceSolver& solver,
   const OpenPiece& open, std::vector<CurvedHit>& hits)
 {
-  const auto ray = static_cast<std::size_t>(bundle.First() + open.ray);
+  const auto ray = static_cast<std::size_t>(bundle.First()) + static_cast<std::size_t>(open.ray);
   CurvedHit hit = solver.HitAt(*open.piece, open.ray, open.piece->centre, 0);
   hit.t = std::min(std::max(bundle.TimeOf(open.ray, open.depth), rays.tNear[ray]), rays.tFar[ray]);
   hit.status = HitStatus::Undecided;
