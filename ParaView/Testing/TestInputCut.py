@@ -93,7 +93,7 @@ class InputCut(unittest.TestCase):
         cut = simple.PixelExactSlice(Input=clip)
         cut.SliceType.Origin, cut.SliceType.Normal = [0, 0, 0], [1, 0, 0]
         self.holds(rows(simple.PixelExactIntegrate(Input=cut, Field="u", Tolerance=1e-6))["Area"], 1.0)
-        # Clips of clips: the quarter of the cube, closed by two halves of squares.
+        # Clips of clips: a quarter of the cube, closed by two rectangles.
         clip.Invert = 1
         clip.ClipType.Origin = [0, 0, 0]
         both = simple.PixelExactClip(Input=clip)

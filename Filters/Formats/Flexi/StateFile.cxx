@@ -55,7 +55,7 @@ Nodes NodesOf(const Hdf5File& state, const std::string& name)
     return Nodes::GaussLobatto;
   }
   throw Unsupported(name + ": the nodes of its elements (NodeType) are of type '" + type +
-    "'; GAUSS and GAUSS-LOBATTO are read: interpolate to these (posti_swapmesh).");
+    "'; GAUSS and GAUSS-LOBATTO are read: interpolate to these.");
 }
 
 /// The names of variables; those that are missing are numbers.
