@@ -173,7 +173,7 @@ vtkSmartPointer<vtkUnstructuredGrid> JoinBlocks(
     }
     auto* set = vtkPointSet::SafeDownCast(leaf);
     isSingle = isSingle && set != nullptr && set->GetPoints()->GetDataType() == VTK_FLOAT;
-    inputs.push_back(leaf);
+    inputs.emplace_back(leaf);
     points.push_back(leaf->GetPointData());
     cells.push_back(leaf->GetCellData());
     pointCounts.push_back(leaf->GetNumberOfPoints());
