@@ -4,13 +4,14 @@
 
 #include "PixelExactFiltersModule.h"
 
+#include "vtkDataObject.h" // of the output, in a template
+
 #include <functional>
 #include <memory>
 #include <type_traits>
 #include <utility>
 
 class vtkAlgorithm;
-class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 
