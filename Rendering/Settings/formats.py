@@ -16,6 +16,7 @@ KEYS = {
     "mesh": "suffixes of files that hold a mesh",
     "fields": "suffixes of files that hold fields without a mesh; one that is also in `mesh` may hold either",
     "field_folders": "whether a folder may stand for a field file",
+    "marks": "at most two texts at the beginning of its files, by which one with another suffix is recognised",
     "reader": "the tool's function in Tools/Input that reads the files",
     "paraview": "the proxy of the plugin's reader, a key of `paraview_readers`; none: the plugin has no reader",
     "paraview_suffixes": "the suffixes with which ParaView opens the reader; else those of `mesh`",
@@ -97,7 +98,7 @@ def _alternatives(words):
 
 def _complete(given, paraview_readers):
     unknown = set(given) - set(KEYS)
-    row = {**dict.fromkeys(KEYS), "fields": [], "field_folders": False, **given}
+    row = {**dict.fromkeys(KEYS), "fields": [], "field_folders": False, "marks": [], **given}
     if unknown or not all(row[key] for key in ("name", "mesh", "reader", "help")):
         raise ValueError(f"{row['name']}: unknown keys {sorted(unknown)}, or no name, mesh, reader or help")
     if row["paraview"] and row["paraview"] not in paraview_readers:

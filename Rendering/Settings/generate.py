@@ -27,7 +27,9 @@ BEGIN_CXX = "// By Rendering/Settings/generate.py from {}.\n"
 
 
 def cxx_string(text):
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    for plain, escaped in (("\\", "\\\\"), ('"', '\\"'), ("\r", "\\r"), ("\n", "\\n")):
+        text = text.replace(plain, escaped)
+    return f'"{text}"'
 
 
 def cxx_number(number):
@@ -67,9 +69,11 @@ def write_cxx(out):
 
 
 def cxx_suffix(suffix, row, reader, has_mesh, is_folder):
+    marks = ", ".join(map(cxx_string, row["marks"]))
     return (
         f"  {{ .suffix = {cxx_string(suffix)}, .name = {cxx_string(row['name'])},"
-        f" .hasMesh = {str(has_mesh).lower()}, .mayBeFolder = {str(is_folder).lower()}, .read = &{reader} }},\n"
+        f" .hasMesh = {str(has_mesh).lower()}, .mayBeFolder = {str(is_folder).lower()}, .read = &{reader},"
+        f" .marks = {{ {marks} }} }},\n"
     )
 
 

@@ -3,6 +3,7 @@
 
 #include "Input/Input.h"
 
+#include <array>
 #include <span>
 
 namespace pixelexact
@@ -17,6 +18,7 @@ struct Format
   bool mayBeFolder = false;
   InputGrid (*read)(const InputRequest&) = nullptr; ///< throws as ReadInput
   const char* remedy = nullptr;                     ///< of formats that are not read
+  std::array<const char*, 2> marks{}; ///< at the beginning of files; null: there are no more
 };
 
 /// All rows, in the order in which messages list the suffixes. FormatTable.cxx defines it: that

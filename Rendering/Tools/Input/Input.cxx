@@ -191,6 +191,41 @@ std::string InputSuffixes()
   return suffixes;
 }
 
+/// What the beginning of a file with an unknown suffix says of its format, as the rest of a
+/// sentence.
+std::string RecognisedBy(const std::string& file)
+{
+  constexpr std::size_t kBeginning = 1024; // XML has lines before its first element
+  std::string begin(kBeginning, '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), kBeginning);
+  std::string likely;
+  std::string looked;
+  std::string_view last; // of the formats named, whose suffixes follow one another
+  for (const Format& format : Formats())
+  {
+    for (const char* mark : format.marks)
+    {
+      if (mark == nullptr || !format.hasMesh || last == format.name)
+      {
+        continue;
+      }
+      const std::string shown(mark, std::string_view(mark).find_last_not_of("\r\n ") + 1);
+      if (looked.find("'" + shown + "'") == std::string::npos)
+      {
+        looked.append(looked.empty() ? "'" : ", '").append(shown).append("'");
+      }
+      if (begin.find(mark) != std::string::npos)
+      {
+        last = format.name;
+        likely.append(likely.empty() ? "" : " or ").append(format.name);
+        likely.append(" (").append(format.suffix).append(")");
+      }
+    }
+  }
+  return likely.empty() ? "it begins with none of the marks " + looked
+                        : "it begins as files of " + likely + " do; give it such a suffix";
+}
+
 /// Reads the input without checking the result.
 InputGrid Read(const InputRequest& request)
 {
@@ -199,8 +234,8 @@ InputGrid Read(const InputRequest& request)
   const Format* format = FindFormat(SuffixOf(first));
   if (format == nullptr)
   {
-    throw UnknownFormat("cannot read '" + first +
-      "': its suffix is of no format known here; suffixes are " + InputSuffixes() +
+    throw UnknownFormat("cannot read '" + first + "': its suffix is of no format known here, and " +
+      RecognisedBy(first) + "; suffixes are " + InputSuffixes() +
       ", and .000000 of a piece of an MFEM mesh");
   }
   if (format->remedy != nullptr)
