@@ -16,6 +16,11 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
 
 vtkStandardNewMacro(vtkHighOrderCalculator);
 
@@ -41,6 +46,23 @@ vtkSmartPointer<vtkDoubleArray> ValuesAtPoints(
   Sample(model.GetLocator(), &field, points, target);
   return array;
 }
+
+void AddDefinition(const std::string& name, const std::string& text, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkStringArray> definition;
+  definition->SetName((kDefinitionPrefix + name).c_str());
+  definition->InsertNextValue(text);
+  grid->GetFieldData()->AddArray(definition);
+}
+
+/// The shortest digits that round to the number, in brackets.
+std::string Bracketed(double number)
+{
+  std::array<char, 32> text{};
+  const auto length =
+    std::to_chars(text.data(), text.data() + text.size(), number).ptr - text.data();
+  return "(" + std::string(text.data(), static_cast<std::size_t>(length)) + ")";
+}
 } // namespace
 
 vtkHighOrderCalculator::vtkHighOrderCalculator()
@@ -56,6 +78,34 @@ void vtkHighOrderCalculator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResultArrayName: " << this->ResultArrayName << "\n";
   os << indent << "Function: " << this->Function << "\n";
   os << indent << "PointValues: " << this->PointValues << "\n";
+}
+
+int vtkHighOrderCalculator::DefinePhase(vtkUnstructuredGrid* grid, double degrees)
+{
+  constexpr std::string_view kReal = "_real";
+  // Multiples of 90 degrees have no rounded sines.
+  const double turn = std::remainder(degrees, 360.0);
+  const bool isRight = std::fmod(turn, 90.0) == 0.0;
+  const double angle = turn * std::acos(-1.0) / 180.0;
+  const double cosine = isRight ? std::round(std::cos(angle)) : std::cos(angle);
+  const double sine = isRight ? std::round(std::sin(angle)) : std::sin(angle);
+  const std::vector<std::string> names = StoredFieldNames(grid);
+  const auto isThere = [&names](const std::string& name)
+  { return std::ranges::find(names, name) != names.end(); };
+  int defined = 0;
+  for (const std::string& real : names)
+  {
+    const std::string name = real.substr(0, real.size() - std::min(real.size(), kReal.size()));
+    if (name.empty() || !real.ends_with(kReal) || !isThere(name + "_imag") || isThere(name))
+    {
+      continue;
+    }
+    const std::string imaginary = name + "_imag";
+    AddDefinition(name,
+      "'" + real + "'*" + Bracketed(cosine) + " - '" + imaginary + "'*" + Bracketed(sine), grid);
+    ++defined;
+  }
+  return defined;
 }
 
 bool vtkHighOrderCalculator::Make(vtkDataObject* mesh, vtkDataObject* output)
@@ -75,10 +125,7 @@ bool vtkHighOrderCalculator::Make(vtkDataObject* mesh, vtkDataObject* output)
   const Field& field = model->GetField(this->Function);
   auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
   grid->ShallowCopy(this->Input.GridOf(mesh));
-  vtkNew<vtkStringArray> definition;
-  definition->SetName((kDefinitionPrefix + name).c_str());
-  definition->InsertNextValue(this->Function);
-  grid->GetFieldData()->AddArray(definition);
+  AddDefinition(name, this->Function, grid);
   if (this->PointValues)
   {
     const auto values = ValuesAtPoints(*model, field, grid);

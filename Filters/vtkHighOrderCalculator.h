@@ -26,6 +26,8 @@
 
 #include <string> // for texts
 
+class vtkUnstructuredGrid;
+
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderCalculator
   : public PIXELEXACT_MESH_FILTER(vtkPassInputTypeAlgorithm)
 {
@@ -62,6 +64,14 @@ public:
   vtkGetMacro(PointValues, bool);
   vtkBooleanMacro(PointValues, bool);
   ///@}
+
+  /**
+   * Adds, for each complex function of a grid, which is a pair of fields NAME_real and NAME_imag,
+   * the definition NAME: its real part after a turn by `degrees`, NAME_real cos(degrees) -
+   * NAME_imag sin(degrees). A definition of an earlier call is replaced; a function whose NAME is
+   * another field's is left out. Returns the number of definitions.
+   */
+  static int DefinePhase(vtkUnstructuredGrid* grid, double degrees);
 
 protected:
   vtkHighOrderCalculator();

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from ._cut import rank_in
@@ -44,3 +45,20 @@ def calculate(
         result = calculator.GetOutputDataObject(0)
         source = result if result.IsA("vtkCompositeDataSet") else as_high_order(result)
     return source
+
+
+def at_phase(grid: Any, degrees: float) -> vtkHighOrderGrid:
+    """A grid whose complex fields have a real part NAME at a phase, as fields that are expressions.
+
+    A complex field is a pair NAME_real and NAME_imag, as MFEM's complex grid functions are read. NAME
+    is NAME_real cos(degrees) - NAME_imag sin(degrees); one of an earlier call is replaced. grid: as
+    of cut; it stays as it is. Raises ValueError where it has no complex field.
+    """
+    if not math.isfinite(degrees):
+        raise ValueError(f"degrees: a finite number, not {degrees!r}")
+    source = source_of(grid)
+    turned = vtkHighOrderGrid()
+    turned.ShallowCopy(source)
+    if vtkHighOrderCalculator.DefinePhase(turned, degrees) == 0:
+        raise ValueError("the grid has no complex field, which is a pair NAME_real and NAME_imag")
+    return turned

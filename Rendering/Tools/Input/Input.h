@@ -35,6 +35,7 @@ struct InputRequest
   bool cornerCells = true;          ///< cells of solvers' grids; false: Lagrange cells
   std::optional<WarpRequest> warp;  ///< how the mesh is deformed; without a direction
   std::vector<double> warpDirection; ///< of a scalar's displacement; empty: none
+  std::optional<double> phase;       ///< in degrees, of complex fields
   bool timesAlone = false;           ///< readers return after reading the times, without a grid
 
   /// Declares INPUT as the command's positional arguments, and the options.

@@ -52,6 +52,7 @@ void InputRequest::AddTo(CLI::App& command)
   Bind(command, "--warp",
     [this](const std::string& text) { ReadWarp("--warp", text, warp.emplace()); });
   Bind(command, "--warp-direction", warpDirection);
+  Bind(command, "--phase", phase);
 }
 
 WarpRequest InputRequest::WarpBy(const std::string& field, double scale) const

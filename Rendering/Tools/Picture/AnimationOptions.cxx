@@ -36,12 +36,16 @@ Vec3 Rotated(const Vec3& v, const Vec3& axis, double angle)
 void AnimationOptions::ReadSweep(const std::string& text)
 {
   constexpr std::string_view kWarp = "warp=";
+  constexpr std::string_view kPhase = "phase=";
   const bool isWarp = text.starts_with(kWarp);
+  const bool isPhase = text.starts_with(kPhase);
+  const std::size_t begin = isWarp ? kWarp.size() : isPhase ? kPhase.size() : 2;
   const std::vector<std::string> parts =
-    SplitAt(text.size() > 2 ? text.substr(isWarp ? kWarp.size() : 2) : std::string(), ':');
-  const auto read = [isWarp](const std::string& part, double& at, bool& percent)
+    SplitAt(text.size() > 2 ? text.substr(begin) : std::string(), ':');
+  const auto read = [isNumber = isWarp || isPhase](
+                      const std::string& part, double& at, bool& percent)
   {
-    percent = !isWarp && part.ends_with('%');
+    percent = !isNumber && part.ends_with('%');
     return ParseNumber(std::string_view(part).substr(0, part.size() - (percent ? 1 : 0)), at) &&
       std::isfinite(at) && (!percent || (at >= 0.0 && at <= 100.0));
   };
@@ -50,16 +54,17 @@ void AnimationOptions::ReadSweep(const std::string& text)
   bool last = false;
   const bool isAxis = text.size() > 2 &&
     std::string_view("xyz").find(text[0]) != std::string_view::npos && text[1] == '=';
-  if (parts.size() != 3 || !(isWarp || isAxis) || !read(parts[0], sweep.from, first) ||
+  if (parts.size() != 3 || !(isWarp || isPhase || isAxis) || !read(parts[0], sweep.from, first) ||
     !read(parts[1], sweep.to, last) || first != last || !ReadFrames(parts[2], sweep.frames))
   {
     Refuse("--sweep", text,
       std::string(kSweepForm) +
-        ", such as z=0:1:50, z=5%:95%:50 of the mesh's box, or warp=0:10:50 of --warp");
+        ", such as z=0:1:50, z=5%:95%:50 of the mesh's box, warp=0:10:50 of --warp, or "
+        "phase=0:345:24 in degrees");
   }
-  if (isWarp)
+  if (isWarp || isPhase)
   {
-    Deformation = { sweep.from, sweep.to, sweep.frames };
+    (isWarp ? Deformation : Phase) = { sweep.from, sweep.to, sweep.frames };
     return;
   }
   sweep.axis = text[0];
@@ -90,13 +95,14 @@ void AnimationOptions::AddTo(CLI::App& command)
 
 bool AnimationOptions::IsAsked(const InputRequest& input) const
 {
-  return Sweep || Deformation || Turn || input.allSteps;
+  return Sweep || Deformation || Phase || Turn || input.allSteps;
 }
 
 void AnimationOptions::Check(const InputRequest& input) const
 {
   const std::optional<int> swept = Sweep ? std::optional(Sweep->frames)
     : Deformation                        ? std::optional(Deformation->frames)
+    : Phase                              ? std::optional(Phase->frames)
                                          : std::nullopt;
   if (swept && Turn && *swept != Turn->frames)
   {
@@ -121,14 +127,26 @@ std::optional<int> AnimationOptions::Frames() const
 {
   return Sweep    ? std::optional(Sweep->frames)
     : Deformation ? std::optional(Deformation->frames)
+    : Phase       ? std::optional(Phase->frames)
     : Turn        ? std::optional(Turn->frames)
                   : std::nullopt;
 }
 
-double AnimationOptions::ScaleAt(int frame) const
+double AnimationOptions::Numbers::At(int frame) const
 {
-  const int last = std::max(Deformation->frames - 1, 1);
-  return std::lerp(Deformation->from, Deformation->to, static_cast<double>(frame) / last);
+  return std::lerp(from, to, static_cast<double>(frame) / std::max(frames - 1, 1));
+}
+
+void AnimationOptions::Apply(int frame, InputRequest& input) const
+{
+  if (Deformation)
+  {
+    input.warp->scale = Deformation->At(frame);
+  }
+  if (Phase)
+  {
+    input.phase = Phase->At(frame);
+  }
 }
 
 double AnimationOptions::LargestScale() const

@@ -34,7 +34,8 @@ public:
   [[nodiscard]] PlaneChoice PlaneAt(int frame) const;
   /// Whether each frame has a scale of --warp of its own.
   [[nodiscard]] bool Deforms() const { return Deformation.has_value(); }
-  [[nodiscard]] double ScaleAt(int frame) const;
+  /// Sets the frame's scale or phase.
+  void Apply(int frame, InputRequest& input) const;
   /// The one of the two end scales that deforms more.
   [[nodiscard]] double LargestScale() const;
   [[nodiscard]] bool Turns() const { return Turn.has_value(); }
@@ -54,11 +55,13 @@ private:
     bool inPercent;
     int frames;
   };
-  struct Scales
+  struct Numbers
   {
     double from;
     double to;
     int frames;
+
+    [[nodiscard]] double At(int frame) const;
   };
   struct Turned
   {
@@ -69,7 +72,8 @@ private:
 
   const CLI::App* Command = nullptr;
   std::optional<Swept> Sweep;
-  std::optional<Scales> Deformation;
+  std::optional<Numbers> Deformation;
+  std::optional<Numbers> Phase;
   std::optional<Turned> Turn;
   bool Resume = false;
   double Rate = 0.0;

@@ -91,8 +91,11 @@ Pictures::Pictures(const RenderOptions& options, Stopwatch& watch)
   if (animation.Deforms())
   {
     // The view is that of the mesh where it is deformed most.
-    Scale = animation.LargestScale();
-    Asked.input.warp->scale = Scale;
+    Asked.input.warp->scale = animation.LargestScale();
+  }
+  else
+  {
+    animation.Apply(0, Asked.input);
   }
   Now.emplace(Prepare(Asked, Watch));
   ++Reads;
@@ -125,15 +128,13 @@ Vec3 Pictures::Pivoted() const
 const Shot& Pictures::At(int frame)
 {
   const bool isOtherStep = StepOf(frame) != Now->input.step;
-  const bool isOtherScale =
-    Options.animation.Deforms() && Options.animation.ScaleAt(frame) != Scale;
-  if (isOtherStep || isOtherScale)
+  const auto scaleOf = [](const InputRequest& input)
+  { return input.warp ? input.warp->scale : 0.0; };
+  const double scale = scaleOf(Asked.input);
+  const auto phase = Asked.input.phase;
+  Options.animation.Apply(frame, Asked.input);
+  if (isOtherStep || scaleOf(Asked.input) != scale || Asked.input.phase != phase)
   {
-    if (isOtherScale)
-    {
-      Scale = Options.animation.ScaleAt(frame);
-      Asked.input.warp->scale = Scale;
-    }
     const Shot before = std::move(*Now);
     Now.emplace(PrepareStep(Asked, StepOf(frame), before, Watch));
     Reads += isOtherStep ? 1 : 0;

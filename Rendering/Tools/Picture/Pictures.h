@@ -40,7 +40,6 @@ private:
   Stopwatch& Watch;
   ShotOptions Asked;
   std::optional<Shot> Now;
-  double Scale = 0.0; ///< of the deformation of Now, where that is swept
   CameraView First;
   Vec3 Pivot{ 0.0 };
   int Count = 0;

@@ -11,6 +11,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 #include "HighOrderArrays.h"
+#include "vtkHighOrderCalculator.h"
 #include "vtkHighOrderGrid.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
@@ -158,9 +159,27 @@ void Warp(LoadedModel& input, const InputRequest& request)
   }
 }
 
+/// Replaces the grid by one with the complex fields at a phase.
+void Turn(LoadedModel& input, double phase)
+{
+  const auto turned = vtkSmartPointer<vtkUnstructuredGrid>::Take(input.grid->NewInstance());
+  turned->ShallowCopy(input.grid);
+  if (vtkHighOrderCalculator::DefinePhase(turned, phase) == 0 && input.grid->GetNumberOfCells() > 0)
+  {
+    throw Error("--phase: the input has no complex field, which is a pair NAME_real and NAME_imag; "
+                "leave it out");
+  }
+  input.grid = turned;
+}
+
 /// From the grid to the model that is shown.
 void Finish(LoadedModel& input, const InputRequest& request)
 {
+  input.source = input.grid;
+  if (request.phase)
+  {
+    Turn(input, *request.phase);
+  }
   if (request.warp)
   {
     Warp(input, request);
@@ -174,10 +193,10 @@ void Finish(LoadedModel& input, const InputRequest& request)
 }
 } // namespace
 
-LoadedModel Deformed(const LoadedModel& before, const InputRequest& request)
+LoadedModel Changed(const LoadedModel& before, const InputRequest& request)
 {
   LoadedModel input = before;
-  input.grid = before.undeformed;
+  input.grid = before.source;
   input.truncations.clear();
   input.diagnostics.clear();
   Finish(input, request);
@@ -244,8 +263,7 @@ void ForEachStep(const InputRequest& request, const std::string& field, Stopwatc
     if (step != now.step)
     {
       one.step = step;
-      now = LoadModel(
-        one, field, stopwatch, now.undeformed != nullptr ? now.undeformed.Get() : now.grid.Get());
+      now = LoadModel(one, field, stopwatch, now.source);
     }
     visit(now);
   }

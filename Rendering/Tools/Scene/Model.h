@@ -28,9 +28,10 @@ struct LoadedModel
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   std::shared_ptr<HighOrderModel> model;
-  /// The grid without the deformation of --warp, by which other scales need not read again; null
-  /// where there is none.
+  /// The grid without the deformation of --warp; null where there is none.
   vtkSmartPointer<vtkUnstructuredGrid> undeformed;
+  /// The grid before --warp and --phase, by which others need not read again.
+  vtkSmartPointer<vtkUnstructuredGrid> source;
   std::int64_t elements = 0;            ///< of the whole input; the model may hold less of it
   bool converted = false;               ///< else the file carried our coefficients
   vtkIdType skippedCells = 0;           ///< of the file, that are no element
@@ -49,8 +50,8 @@ struct LoadedModel
 LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
   vtkUnstructuredGrid* before = nullptr);
 
-/// The same input with the deformation and the truncation of another request.
-LoadedModel Deformed(const LoadedModel& before, const InputRequest& request);
+/// The same input with the deformation, the phase and the truncation of another request.
+LoadedModel Changed(const LoadedModel& before, const InputRequest& request);
 
 /// Calls `visit` for the input at the requested time step, or at each one in order where all are
 /// requested. Steps with the same mesh share mesh and locator. Throws as LoadModel, and Error where

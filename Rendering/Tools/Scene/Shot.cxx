@@ -232,13 +232,12 @@ Appearance SharedAppearance(const ShotOptions& options)
 LoadedModel LoadWhole(
   const ShotOptions& options, const std::string& field, Stopwatch& stopwatch, const Shot* before)
 {
-  if (before != nullptr && before->input.undeformed != nullptr &&
-    before->input.step == options.input.step)
+  if (before != nullptr && before->input.step == options.input.step)
   {
-    return Deformed(before->input, options.input);
+    return Changed(before->input, options.input);
   }
   return LoadModel(
-    options.input, field, stopwatch, before != nullptr ? before->input.grid.Get() : nullptr);
+    options.input, field, stopwatch, before != nullptr ? before->input.source.Get() : nullptr);
 }
 
 /// All but the view.

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Complex fields at a phase, against closed forms."""
+
+import math
+import unittest
+
+import numpy as np
+
+from tool import CUBE, ToolTest, columns, read_buffers, read_csv, unit_cube_grid
+
+
+class Phase(ToolTest):
+    def setUp(self):
+        super().setUp()
+        fields = [("u_real", [p[0] for p in CUBE]), ("u_imag", [p[1] for p in CUBE]),
+                  ("v_real", [[p[0], p[1], p[2]] for p in CUBE]),
+                  ("v_imag", [[1.0, p[2], p[0]] for p in CUBE]), ("w_real", [1.0] * 8)]
+        self.cube = self.folder / "cube.vtu"
+        self.cube.write_text(unit_cube_grid(fields), encoding="utf-8")
+
+    def test_probes_have_the_turned_field(self):
+        random = np.random.default_rng(3)
+        points = random.uniform(0.0, 1.0, (20, 3))
+        table, out = self.folder / "p.csv", self.folder / "o.csv"
+        table.write_text("x,y,z\n" + "\n".join(",".join(map(repr, p)) for p in points.tolist()),
+                         encoding="utf-8")
+        x, y, z = points.T
+        for degrees in (0.0, 30.0, 90.0, -225.0, 1000.0):
+            with self.subTest(degrees=degrees):
+                c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+                self.succeeds("probe", self.cube, "--phase", degrees, "--field", "u", "--field", "v",
+                              "--points", table, "--output", out)
+                found = columns(read_csv(out))
+                np.testing.assert_allclose(found["u"], c * x - s * y, atol=1e-14)
+                np.testing.assert_allclose(found["v_1"], c * y - s * z, atol=1e-14)
+
+    def test_animation_over_a_period(self):
+        summary = self.summary("render", self.cube, "--field", "u", "--plane", "z=0.5", "--sweep",
+                               "phase=0:270:4", "--size", "20x20", "--output",
+                               self.folder / "a_%02d.png", "--buffers", self.folder / "b_%02d.vti")
+        self.assertEqual((summary["frames"], summary["read"]), (4, 1))
+        for frame in range(4):
+            seen = read_buffers(self.folder / f"b_{frame:02d}.vti")
+            hit = seen["Verdict"] == 1
+            x, y = seen["Position"][hit][:, 0], seen["Position"][hit][:, 1]
+            exact = [x, -y, -x, y][frame]
+            np.testing.assert_allclose(seen["Value"][hit], exact, atol=1e-15)
+
+    def test_without_complex_fields(self):
+        plain = self.folder / "plain.vtu"
+        plain.write_text(unit_cube_grid(), encoding="utf-8")
+        self.fails(1, "info", plain, "--phase", "10", names=["--phase", "NAME_real and NAME_imag"])
+        self.fails(2, "info", plain, "--phase", "x", names=["--phase"])
+
+
+if __name__ == "__main__":
+    unittest.main()
