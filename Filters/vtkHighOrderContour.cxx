@@ -184,6 +184,7 @@ bool vtkHighOrderContour::Make(vtkDataObject* mesh, vtkPolyData* output)
     throw InvalidData("there is no cut function; give one with SetCutFunction.");
   }
   const auto model = this->ModelOf(mesh);
+  model->RequireSolids("contour lines on a cut");
   const std::string name = ChosenName(this, this->FieldName);
   const Field& field = FieldIn(*model, name);
   RequireComponent(field, this->Component);

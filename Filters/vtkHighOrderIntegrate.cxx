@@ -211,6 +211,10 @@ bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
 {
   const int over = this->Chosen();
   const auto model = this->ModelOf(mesh);
+  if (over != OverBoundary)
+  {
+    model->RequireSolids("an integral over a cut");
+  }
   IntegralQuestion question{ model->GetMesh(),
     FieldOrNull(*model, ChosenName(this, this->FieldName)), nullptr };
   const IntegralEffort effort{ this->Tolerance,

@@ -148,6 +148,7 @@ bool vtkHighOrderLinearCut::Make(vtkDataObject* mesh, vtkPolyData* output)
     throw InvalidData("there is no cut function; give one with SetCutFunction.");
   }
   const auto model = this->ModelOf(mesh);
+  model->RequireSolids("a linear cut");
   double perPoint = PointSampling::kBytesPerPoint + 100.0; // also Xi, Element, ... of the output
   for (const Field* field : FieldsNamed(*model, this->Fields.All()))
   {

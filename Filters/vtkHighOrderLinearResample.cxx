@@ -156,6 +156,7 @@ bool vtkHighOrderLinearResample::Make(vtkDataObject* mesh, vtkImageData* output)
     throw InvalidData("Dimensions must be at least 1 in each direction.");
   }
   const auto model = this->ModelOf(mesh);
+  model->RequireSolids("a linear resample");
   const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
   output->Initialize();
   RequireRoom(n, FieldsNamed(*model, this->Fields.All()));

@@ -84,6 +84,10 @@ bool vtkHighOrderProbe::Make(vtkDataObject* mesh, vtkDataObject* output)
   using namespace pixelexact;
   auto* points = vtkDataSet::SafeDownCast(output);
   const auto model = this->ModelOf(mesh);
+  if (this->ComputeGradients)
+  {
+    model->RequireSolids("a gradient");
+  }
   const double located = this->Enclosures ? 0.3 : 0.7;
   const PointSampling sampling(*model, PointsOf(points), ProgressOf(this, 0.1, located));
   vtkPointData* data = points->GetPointData();

@@ -63,6 +63,7 @@ bool vtkHighOrderWarp::Make(vtkDataObject* mesh, vtkDataObject* output)
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Input.GridOf(mesh));
   if (this->FindLimit)
   {
+    model->RequireSolids("the limit of a warp");
     Displacement displacement = DisplacementOf(*model, grid, request);
     const double sign = this->ScaleFactor < 0.0 ? -1.0 : 1.0;
     for (WarpTerm& term : displacement.terms)

@@ -105,6 +105,12 @@ bool HasHighOrderArrays(vtkUnstructuredGrid* grid)
       IsPacked(grid));
 }
 
+bool IsShell(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* const slab = grid->GetFieldData()->GetArray(kSlab);
+  return slab != nullptr && slab->GetNumberOfValues() == 1;
+}
+
 void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
 {
   RemovePrefix(grid->GetFieldData(), kMeshPrefix);

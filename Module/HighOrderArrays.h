@@ -29,6 +29,8 @@ class vtkUnstructuredGrid;
 //   PixelExact.Mesh.SourceCell    int64       per element: number of its cell in the source
 //   PixelExact.Mesh.Fingerprint   int64       per element: hash of the cell it was made with
 //   PixelExact.Mesh.Origin*       uint8       see Origin
+// for meshes of triangles and quadrilaterals (Formats/Slab.h):
+//   PixelExact.Mesh.Slab*         double      in a plane: middle and thickness; in space: thickness
 // where the source gives faces attributes, an entry for each face and attribute:
 //   PixelExact.Mesh.Boundary.Element*   int64
 //   PixelExact.Mesh.Boundary.Face*      int32   as in FacesOf(shape)
@@ -47,6 +49,7 @@ class vtkUnstructuredGrid;
 namespace pixelexact
 {
 inline constexpr const char* kMeshPrefix = "PixelExact.Mesh.";
+inline constexpr const char* kSlab = "PixelExact.Mesh.Slab";
 inline constexpr const char* kBoundaryPrefix = "PixelExact.Mesh.Boundary.";
 inline constexpr const char* kFieldPrefix = "PixelExact.Field.";
 inline constexpr const char* kDefinitionPrefix = "PixelExact.Definition.";
@@ -94,6 +97,9 @@ struct MeshArrays
 /// Whether the grid carries the arrays of a mesh, in FieldData or packed (PackedArrays.h). Does not
 /// check whether they fit the cells.
 PIXELEXACTDATAMODEL_EXPORT bool HasHighOrderArrays(vtkUnstructuredGrid* grid);
+
+/// Whether the stored mesh is a surface in space.
+PIXELEXACTDATAMODEL_EXPORT bool IsShell(vtkUnstructuredGrid* grid);
 
 /// Removes all arrays that PixelExact added to FieldData and CellData, also packed ones.
 PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid);

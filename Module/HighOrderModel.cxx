@@ -6,6 +6,7 @@
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Core/Expression/Expression.h"
+#include "Core/Expression/Program.h"
 #include "Fingerprint.h"
 #include "JoinedArrays.h"
 #include "MeshPart.h"
@@ -107,6 +108,27 @@ struct Registry
     return registry;
   }
 };
+} // namespace
+
+namespace
+{
+/// Throws where an expression uses derivatives or det J, which the solids beneath a surface in
+/// space do not have from the source.
+void RequireNoDerivatives(const std::string& text, const FieldExpression& expression)
+{
+  for (const Graph::Node& leaf : expression.GetProgram().Leaves())
+  {
+    const auto is = [&leaf](Operation operation) { return leaf.operation == operation; };
+    if (is(Operation::InverseJacobian) || is(Operation::Determinant) ||
+      is(Operation::ScaledJacobian) || is(Operation::Slope) || is(Operation::Curvature) ||
+      is(Operation::Behind))
+    {
+      throw Unsupported("'" + text +
+        "' uses derivatives, det J or jumps, which are not available on a surface in space; use "
+        "values of fields alone");
+    }
+  }
+}
 } // namespace
 
 struct HighOrderModel::Internals
@@ -317,8 +339,13 @@ const Field& HighOrderModel::GetField(const std::string& text) const
   const auto defined = scope.definitions.find(text);
   try
   {
-    field.function =
+    const auto expression =
       MakeExpression(defined == scope.definitions.end() ? text : defined->second, scope);
+    if (IsShell())
+    {
+      RequireNoDerivatives(text, *expression);
+    }
+    field.function = expression;
   }
   catch (const InvalidData& error)
   {
@@ -407,6 +434,21 @@ std::span<const std::int64_t> HighOrderModel::SourceCells() const
 std::span<const std::int64_t> HighOrderModel::SelectedCells() const
 {
   return Data->selected.empty() ? SourceCells() : Data->selected;
+}
+
+bool HighOrderModel::IsShell() const
+{
+  return GetMesh().isShell;
+}
+
+void HighOrderModel::RequireSolids(const std::string& what) const
+{
+  if (IsShell())
+  {
+    throw Unsupported(what +
+      ": the mesh is a surface in space, without a volume; only the boundary (--boundary) shows "
+      "it");
+  }
 }
 
 std::span<const AttributedFace> HighOrderModel::BoundaryFaces() const

@@ -88,6 +88,13 @@ public:
   /// boundary.
   [[nodiscard]] std::span<const AttributedFace> BoundaryFaces() const;
 
+  /// Whether the mesh is a surface in space: its elements are there as their faces
+  /// ShellFace(shape) alone, which the boundary consists of. The solids beneath them are for the
+  /// kernels.
+  [[nodiscard]] bool IsShell() const;
+  /// Throws Unsupported where the mesh is a surface in space: `what` needs solids.
+  void RequireSolids(const std::string& what) const;
+
   /// A leaf of composite data.
   struct Block
   {

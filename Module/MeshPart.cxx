@@ -2,6 +2,7 @@
 #include "MeshPart.h"
 
 #include "BoundaryArrays.h"
+#include "Core/Base/Error.h"
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Fingerprint.h"
@@ -75,6 +76,15 @@ MeshPart::MeshPart(vtkUnstructuredGrid* grid, Key key)
   Sources = cells_->Select(source, Storage.longs);
   Validate(mesh_);
   Boundary = ReadBoundary(grid, mesh_, *cells_, Stored);
+  mesh_.isShell = IsShell(grid);
+  for (int e = 0; mesh_.isShell && e < mesh_.Elements(); ++e)
+  {
+    if (mesh_.ShapeOf(e) != Shape::Prism && mesh_.ShapeOf(e) != Shape::Hexahedron)
+    {
+      throw InvalidData(
+        std::string("array '") + kSlab + "' says that the mesh is a surface, but it has solids");
+    }
+  }
 }
 
 MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
@@ -85,6 +95,13 @@ MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
   std::vector<std::span<const double>> size;
   std::vector<std::span<const double>> uncertainty;
   std::vector<std::span<const std::int64_t>> source;
+  const auto isShell = [](const auto& part) { return part->mesh_.isShell; };
+  mesh_.isShell = std::ranges::any_of(Parts, isShell);
+  if (mesh_.isShell && !std::ranges::all_of(Parts, isShell))
+  {
+    throw Unsupported("some blocks are surfaces in space and others are not; draw them apart "
+                      "(Extract Block)");
+  }
   for (const auto& part : Parts)
   {
     // Elements of the parts follow each other, and so do their faces.

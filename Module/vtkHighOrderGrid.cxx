@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderGrid.h"
 
+#include "CompositeParts.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"
 
@@ -70,6 +72,24 @@ std::shared_ptr<HighOrderModel> vtkHighOrderGrid::GetModel()
 bool vtkHighOrderGrid::IsHighOrder(vtkUnstructuredGrid* grid)
 {
   return HasHighOrderArrays(grid);
+}
+
+bool vtkHighOrderGrid::IsSurfaceInSpace(vtkDataObject* data)
+{
+  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    try
+    {
+      const auto parts = PartsOf(composite);
+      return !parts.empty() && IsShell(parts.front().grid);
+    }
+    catch (const Error&)
+    {
+      return false; // of what is no grid
+    }
+  }
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
+  return grid != nullptr && IsShell(grid);
 }
 
 std::string vtkHighOrderGrid::CheckCoefficients(vtkUnstructuredGrid* grid)

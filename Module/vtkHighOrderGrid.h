@@ -46,6 +46,13 @@ public:
   static bool IsHighOrder(vtkUnstructuredGrid* grid);
 
   /**
+   * Whether the mesh of a grid, or of the first grid with cells of composite data, is a surface in
+   * space: triangles and quadrilaterals that do not lie in a plane z = const. Such a mesh is shown
+   * as its boundary (vtkHighOrderBoundarySurface); cut-surfaces and iso-surfaces refuse it.
+   */
+  static bool IsSurfaceInSpace(vtkDataObject* data);
+
+  /**
    * Empty when the coefficients in the grid's arrays are whole and belong to its cells, points and
    * nodal values; otherwise what is wrong, with the cell, field or array and the remedy.
    */

@@ -20,7 +20,6 @@ namespace pixelexact
 {
 namespace
 {
-const std::string kName = std::string(kMeshPrefix) + "Slab";
 
 /// Whether element e is cell e, and there are no others.
 bool HoldsAllElements(vtkUnstructuredGrid* grid)
@@ -189,20 +188,30 @@ bool KeptMesh::AddTo(const SourceMesh& mesh, vtkUnstructuredGrid* grid) const
 void StoreSlab(const Slab& slab, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkDoubleArray> array;
-  array->SetName(kName.c_str());
-  array->SetNumberOfComponents(2);
-  array->InsertNextTuple2(slab.middle, slab.thickness);
+  array->SetName(kSlab);
+  if (slab.inSpace)
+  {
+    array->InsertNextValue(slab.thickness);
+  }
+  else
+  {
+    array->SetNumberOfComponents(2);
+    array->InsertNextTuple2(slab.middle, slab.thickness);
+  }
   grid->GetFieldData()->AddArray(array);
 }
 
 std::optional<Slab> SlabOf(vtkUnstructuredGrid* grid)
 {
-  vtkDataArray* array = grid->GetFieldData()->GetArray(kName.c_str());
-  if (array == nullptr || array->GetNumberOfValues() != 2)
+  vtkDataArray* array = grid->GetFieldData()->GetArray(kSlab);
+  const vtkIdType values = array != nullptr ? array->GetNumberOfValues() : 0;
+  if (values != 1 && values != 2)
   {
     return std::nullopt;
   }
-  const Slab slab{ array->GetComponent(0, 0), array->GetComponent(0, 1) };
+  const Slab slab = values == 1
+    ? Slab{ .middle = 0.0, .thickness = array->GetComponent(0, 0), .inSpace = true }
+    : Slab{ .middle = array->GetComponent(0, 0), .thickness = array->GetComponent(0, 1) };
   return std::isfinite(slab.middle) && std::isnormal(slab.thickness) && slab.thickness > 0.0
     ? std::optional(slab)
     : std::nullopt;

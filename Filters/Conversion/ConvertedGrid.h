@@ -65,8 +65,9 @@ private:
   vtkMTimeType Time = 0; ///< modification time of the arrays, to detect changes
 };
 
-// Position of the slab of a plane mesh: FieldData PixelExact.Mesh.Slab, double x 2, middle and
-// thickness along z. Absent for meshes that are not plane.
+// Position of the slab of a plane mesh: FieldData PixelExact.Mesh.Slab (kSlab), double x 2, middle
+// and thickness along z; of a surface in space one double, the thickness in units of the elements.
+// Absent for meshes of solids.
 
 /// Stores the slab. Must be called after StoreMesh, which removes old arrays.
 void StoreSlab(const Slab& slab, vtkUnstructuredGrid* grid);

@@ -200,6 +200,15 @@ private:
   /// The slab of a 2-D mesh after a motion, which must keep it parallel to its plane.
   [[nodiscard]] Slab MovedSlab(const Slab& slab, const std::optional<AffineMotion>& motion) const
   {
+    if (slab.inSpace)
+    {
+      if (!motion)
+      {
+        Refuse(
+          "the mesh is a surface in space whose points were moved, and not by an affine motion");
+      }
+      return slab;
+    }
     const double stretch = motion ? motion->Stretch() : 0.0;
     const auto isSmall = [&](std::size_t i, std::size_t j)
     { return std::fabs(motion->matrix[i][j]) <= kParallel * stretch; };

@@ -32,7 +32,7 @@ ElementUnits UnitsOf(const SourceMesh& mesh, int element)
     low = glm::min(low, x);
     high = glm::max(high, x);
   }
-  if (const auto& slab = mesh.GetSlab())
+  if (const auto& slab = mesh.GetSlab(); slab && !slab->inSpace)
   {
     low.z = slab->middle - slab->thickness / 2;
     high.z = slab->middle + slab->thickness / 2;
@@ -54,8 +54,8 @@ std::vector<double> ModesOf(
   thread_local std::vector<double> nodes;
   thread_local ChangeOfBasis::Scratch scratch;
   std::vector<double> modes(3 * static_cast<std::size_t>(change.Target().Modes()));
-  // The z of a slab does not come from the points.
-  const std::size_t components = mesh.GetSlab() ? 2 : 3;
+  // The z of a slab in a plane does not come from the points.
+  const std::size_t components = mesh.GetSlab() && !mesh.GetSlab()->inSpace ? 2 : 3;
   const std::array<double, 3> shifts{ centre.x, centre.y, centre.z };
   mesh.GatherAll(element, mesh.Coordinates(), 3, static_cast<int>(components), nodes);
   change.Apply(nodes, std::span(shifts).first(components), modes, scratch);
@@ -91,15 +91,21 @@ std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<dou
   }
   return largest;
 }
+
 /// Maps the geometry from the plane's space to the slab's.
 void Lift(const Slab& slab, const ElementUnits& units, ElementGeometry& geometry)
 {
   const Space plane = geometry.space;
   const auto inUnits = [&units](double x) { return std::ldexp(x, -units.exponent); };
   std::vector<double> modes = std::move(geometry.coefficients);
-  modes.resize(2 * static_cast<std::size_t>(plane.Modes()));
   geometry.space = Lifted(plane);
-  geometry.coefficients.resize(3 * static_cast<std::size_t>(geometry.space.Modes()));
+  geometry.coefficients = std::vector<double>(3 * static_cast<std::size_t>(geometry.space.Modes()));
+  if (slab.inSpace)
+  {
+    LiftSurface(plane, plane, modes, slab.thickness, geometry.coefficients);
+    return;
+  }
+  modes.resize(2 * static_cast<std::size_t>(plane.Modes()));
   LiftMap(plane, modes, inUnits(slab.middle - units.centre.z), inUnits(slab.thickness / 2),
     geometry.coefficients);
 }
@@ -144,7 +150,14 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
   geometry.coefficients = reduction.Keep(geometry.space, inUnits); // exact
   if (mesh.GetSlab())
   {
-    Lift(*mesh.GetSlab(), units, geometry);
+    try
+    {
+      Lift(*mesh.GetSlab(), units, geometry);
+    }
+    catch (const InvalidData& error)
+    {
+      throw InvalidData(mesh.Describe(element) + " " + error.what());
+    }
   }
   return geometry;
 }

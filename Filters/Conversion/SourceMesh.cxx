@@ -100,7 +100,7 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
     FindSlab();
   }
   Rationals.Convert(
-    Xyz, Plane ? 2 : 3, [this](int e) { return Describe(e); },
+    Xyz, Plane && !Plane->inSpace ? 2 : 3, [this](int e) { return Describe(e); },
     [this](int e, const ChangeOfBasis& change)
     {
       const auto index = static_cast<std::size_t>(e);

@@ -36,8 +36,7 @@ class SourceMesh
 public:
   /// Throws Unsupported or InvalidData, naming the cell, for: cells without a basis; weights that
   /// are not positive or differ too much; points that do not exist; coordinates that are NaN or
-  /// infinite; plane cells outside a plane z = const. Throws InvalidData for a grid without volume
-  /// or plane cells.
+  /// infinite. Throws InvalidData for a grid without cells of two or three dimensions.
   explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
 
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }

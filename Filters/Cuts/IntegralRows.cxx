@@ -36,6 +36,14 @@ std::vector<ElementFace> BoundaryOf(
   {
     for (int f = 0; f < static_cast<int>(FacesOf(mesh.ShapeOf(e)).size()); ++f)
     {
+      if (model.IsShell())
+      {
+        if (f == ShellFace(mesh.ShapeOf(e)))
+        {
+          faces.push_back({ e, f });
+        }
+        continue;
+      }
       const FaceKind kind = model.Faces().KindOf(e, f);
       if (kind == FaceKind::Boundary || kind == FaceKind::Partly)
       {
@@ -141,7 +149,8 @@ SurfaceIntegral IntegrateBoundary(const IntegralQuestion& question,
 {
   SurfaceIntegral found = IntegrateFaces(question, BoundaryOf(model, attributes), effort);
   // Faces that are selected by attribute count whole, also where they are partly covered.
-  found.covered = attributes.empty() ? model.Faces().CountOf(FaceKind::Partly) : 0;
+  found.covered =
+    attributes.empty() && !model.IsShell() ? model.Faces().CountOf(FaceKind::Partly) : 0;
   return found;
 }
 } // namespace pixelexact

@@ -7,6 +7,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Faces/AttributedFace.h"
 #include "Core/Location/Sample.h"
+#include "Core/Shape/ShapeFace.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 
@@ -43,6 +44,25 @@ std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh
       { { face.element, faceOf[static_cast<std::size_t>(face.face)] }, face.attribute });
   }
   return faces;
+}
+
+/// Faces with attributes of a surface in space: each element is a face, with its own attribute.
+void MakeShellBoundary(const Mesh& view, SolverMesh& mesh)
+{
+  mesh.boundary.clear();
+  for (std::size_t e = 0; e < mesh.attribute.size(); ++e)
+  {
+    const Shape shape = view.ShapeOf(static_cast<int>(e));
+    const auto& faceOf = LinearCellOf(shape).faceOf;
+    mesh.boundary.push_back({ static_cast<std::int32_t>(e),
+      static_cast<std::int8_t>(std::ranges::find(faceOf, ShellFace(shape)) - faceOf.begin()),
+      mesh.attribute[e] });
+  }
+  std::erase_if(mesh.groups, [](const Group& group) { return group.boundary; });
+  for (Group& group : mesh.groups)
+  {
+    group.boundary = true;
+  }
 }
 
 /// Adds the file's attributes and groups, for VTK's filters and for people (see SolverGrid.h).
@@ -132,6 +152,10 @@ CellLayout StoreSolverMesh(SolverMesh&& mesh, const LayoutRule& rule, vtkUnstruc
   grid->Initialize();
   const Mesh view{ mesh.map.View(), mesh.centre, mesh.size, mesh.uncertainty };
   Validate(view);
+  if (mesh.slab && mesh.slab->inSpace)
+  {
+    MakeShellBoundary(view, mesh);
+  }
   CellLayout layout = rule(view);
   const ElementCells cells(view, layout.degrees);
   MakeCells(mesh, view, layout, cells, grid);

@@ -207,6 +207,45 @@ Box BoxOfMesh(Bases basis, int components, const Gather& gather, const Describe&
   }
   return all;
 }
+
+/// The maps of a surface in space, whose source has three components.
+void AssembleShell(Bases basis, const std::map<const ElementBasis*, MapNoise>& noise,
+  const Gather& gather, const Describe& describe, SolverMesh& mesh, double roundoff)
+{
+  std::map<const ElementBasis*, double> ofMap;
+  for (const auto* b : basis)
+  {
+    if (!ofMap.contains(b))
+    {
+      ofMap[b] = NoiseBound(b->parts[0]);
+    }
+  }
+  ForElements(basis.size(),
+    [&](std::size_t e, Work& work)
+    {
+      const ChangeOfBasis& change = basis[e]->parts[0];
+      work.source.resize(3 * static_cast<std::size_t>(basis[e]->sources));
+      gather(e, work.source);
+      const ElementUnits units = UnitsOf(BoxOf(work.source, 3, describe, e), describe, e);
+      std::vector<double> modes(3 * static_cast<std::size_t>(change.Target().Modes()));
+      change.Apply(work.source, ShiftsOf(units, 3), modes, work.scratch);
+      const auto inUnits = [&units](double x) { return std::ldexp(x, -units.exponent); };
+      std::ranges::transform(modes, modes.begin(), inUnits);
+      StoreUnits(units, noise.at(basis[e]), modes, roundoff, e, mesh);
+      const double roundings = inUnits(kCoordinateRoundings * roundoff * units.largest);
+      const Space needed = OrderReduction(
+        change.Target(), change.Amplification(), modes, roundings, ofMap.at(basis[e]), 1.0)
+                             .Reduce();
+      try
+      {
+        LiftSurface(change.Target(), needed, modes, mesh.slab->thickness, mesh.map.Coefficients(e));
+      }
+      catch (const InvalidData& error)
+      {
+        throw InvalidData(describe(e) + " " + error.what());
+      }
+    });
+}
 } // namespace
 
 OwnedExpansion AssembleField(Bases basis, int components, const Gather& gather)
@@ -257,15 +296,18 @@ void AssembleMap(Bases basis, const Gather& gather,
 }
 
 void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
-  const std::function<std::string(std::size_t)>& describe, const std::string& file,
-  SolverMesh& mesh, double roundoff)
+  const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh, double roundoff)
 {
   const Box all = BoxOfMesh(basis, components, gather, describe);
-  const Slab slab =
-    NameErrors(file, [&] { return MakeSlab(all.low, all.high, kCoordinateRoundings * roundoff); });
+  const Slab slab = MakeSlab(all.low, all.high, kCoordinateRoundings * roundoff);
   mesh.slab = slab;
   Prepare(basis, &Lifted, mesh);
   const auto noise = NoiseOf(basis);
+  if (slab.inSpace)
+  {
+    AssembleShell(basis, noise, gather, describe, mesh, roundoff);
+    return;
+  }
   ForElements(basis.size(),
     [&](std::size_t e, Work& work)
     {
@@ -325,6 +367,10 @@ void DropRoundedOrders(Bases basis, double roundoff, SolverMesh& mesh)
 
 void ScaleToSlab(const Slab& slab, SolverField& field)
 {
+  if (field.mapping != Mapping::Identity)
+  {
+    RequirePlane(slab, "'" + field.name + "': H(curl), H(div) and density fields");
+  }
   if (field.mapping != Mapping::Contravariant && field.mapping != Mapping::Density)
   {
     return;

@@ -30,10 +30,10 @@ void AssembleMap(std::span<const ElementBasis* const> basis, const Gather& gathe
 
 /// The same for a plane mesh, whose bases have order 0 across: `mesh` becomes the slab on it, and
 /// its `slab` holds the position. The source has two components, or three where the file has a z.
-/// Throws Unsupported, naming the file, where z is not constant.
+/// Where z is not constant, each element has its solid beneath it (LiftSurface).
 void AssemblePlaneMap(std::span<const ElementBasis* const> basis, int components,
-  const Gather& gather, const std::function<std::string(std::size_t)>& describe,
-  const std::string& file, SolverMesh& mesh, double roundoff = kUnitRoundoff);
+  const Gather& gather, const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh,
+  double roundoff = kUnitRoundoff);
 
 /// Drops the trailing orders of maps that rounding of the coordinates explains (OrderReduction.h),
 /// and counts the loss as uncertainty: for files whose maps have the fields' order in all elements.
@@ -42,6 +42,7 @@ void DropRoundedOrders(
   std::span<const ElementBasis* const> basis, double roundoff, SolverMesh& mesh);
 
 /// Scales fields of a slab, whose values are those of the plane: flux and density of a unit element
-/// count per thickness. The scaling is exact.
+/// count per thickness. The scaling is exact. Throws Unsupported for mapped fields on a surface in
+/// space.
 void ScaleToSlab(const Slab& slab, SolverField& field);
 } // namespace pixelexact

@@ -9,7 +9,8 @@
 
 // Plane meshes are represented as slabs: triangles become prisms, quadrilaterals hexahedra, whose
 // fields are constant across the slab (bases-and-kernels.md). A plane element's space is that of
-// its solid, with order 0 across.
+// its solid, with order 0 across. Elements of a surface in space become such solids as well, one by
+// one, each beneath its part of the surface (ShellFace).
 namespace pixelexact
 {
 /// Position of a slab: from middle - thickness / 2 to middle + thickness / 2 along z.
@@ -17,12 +18,18 @@ struct Slab
 {
   double middle = 0.0;
   double thickness = 1.0; ///< a power of two
+  /// The elements lie on a surface in space. `thickness` is then in units of each element.
+  bool inSpace = false;
 };
 
-/// The slab of a plane mesh in this box. Its thickness is a 32nd to a 64th of the box's shorter
-/// side, so that it is flat, or 1 where the box has no extent. Throws Unsupported where the box is
-/// not a plane z = const up to `roundings` of the largest coordinate.
+/// The slab of a mesh of triangles and quadrilaterals in this box. In a plane z = const, up to
+/// `roundings` of the largest coordinate, its thickness is a 32nd to a 64th of the box's shorter
+/// side, so that it is flat, or 1 where the box has no extent.
 Slab MakeSlab(const Vec3& low, const Vec3& high, double roundings);
+
+/// Throws Unsupported, naming `what`, which is available in a plane z = const only, for a slab in
+/// space.
+void RequirePlane(const Slab& slab, const std::string& what);
 
 /// The name of a slab element's plane shape: "triangle" or "quadrilateral".
 const char* PlaneName(Shape solid);
@@ -35,4 +42,12 @@ Space Lifted(const Space& plane);
 /// modes' units, relative to their centre. Determinants have the same sign as in the plane.
 void LiftMap(const Space& plane, std::span<const double> modes, double middle, double half,
   std::span<double> lifted);
+
+/// Writes the map of an element of a surface in space to `lifted`. `modes`: x, y and z, one after
+/// the other, in the plane space and units of the element; they vanish outside of `needed`. The
+/// solid's ShellFace is that surface, up to the rounding of modes. Across, the map is linear, along
+/// a polynomial of order at most 3 that approximates the unit normal, times `thickness`. The normal
+/// is that of the element's order of vertices. Throws InvalidData where the surface has no normal.
+void LiftSurface(const Space& plane, const Space& needed, std::span<const double> modes,
+  double thickness, std::span<double> lifted);
 } // namespace pixelexact

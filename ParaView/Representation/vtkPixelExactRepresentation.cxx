@@ -219,6 +219,12 @@ void vtkPixelExactRepresentation::ChooseSurface(vtkDataObject* delivered)
       this->ChooseSliceOrClip(delivered);
       break;
     default:
+      // A mesh without a volume has nothing else to show.
+      if (vtkHighOrderGrid::IsSurfaceInSpace(delivered))
+      {
+        my.Mapper->SetSurface(my.Boundary);
+        break;
+      }
       my.Mapper->SetSurface(nullptr);
       my.Mapper->SetCutFunction(my.Cut);
       break;

@@ -7,7 +7,13 @@ import unittest
 import numpy
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_QUAD,
+    vtkCellArray,
+    vtkPolyData,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -246,6 +252,45 @@ class JumpWalls(unittest.TestCase):
                 self.assertTrue((rgb == without).all())
             self.assertGreaterEqual(wall.sum(), least)
             simple.Hide()
+
+
+class SurfacesInSpace(unittest.TestCase):
+    def test_are_shown_where_a_cut_would_be(self):
+        """One bilinear quadrilateral, z = x y, with the field u = x, seen along z."""
+        grid, points, field = vtkUnstructuredGrid(), vtkPoints(), vtkDoubleArray()
+        points.SetDataTypeToDouble()
+        field.SetName("u")
+        for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            points.InsertNextPoint(x, y, x * y)
+            field.InsertNextValue(x)
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_QUAD, 4, [0, 1, 2, 3])
+        grid.GetPointData().AddArray(field)
+        view = scene.view()
+        source = simple.TrivialProducer()
+        source.GetClientSideObject().SetOutput(grid)
+        source.MarkModified(source.SMProxy)
+        shown = simple.Show(source)
+        shown.SetRepresentationType("PixelExact")
+        simple.ColorBy(shown, ("POINTS", "u"))
+        simple.GetColorTransferFunction("u").RescaleTransferFunction(0.0, 1.0)
+        shown.SetScalarBarVisibility(view, False)
+        shown.Ambient, shown.Diffuse = 1.0, 0.0
+        simple.ResetCamera(view)
+        rgb = scene.pixels(view, "surface_in_space.png")
+        places = numpy.argwhere(~scene.is_background(rgb))[:, ::-1]
+        self.assertGreater(len(places), 5000)
+        eyes, ahead = scene.rays(view, places)
+        # From above, z = x y is met where eye + t ahead has it: one quadratic equation in t.
+        a = ahead[:, 0] * ahead[:, 1]
+        b = eyes[:, 0] * ahead[:, 1] + eyes[:, 1] * ahead[:, 0] - ahead[:, 2]
+        c = eyes[:, 0] * eyes[:, 1] - eyes[:, 2]
+        t = 2 * c / (-b + numpy.sqrt(b * b - 4 * a * c))
+        x = eyes[:, 0] + t * ahead[:, 0]
+        self.assertLess(numpy.abs(x - 0.5).max(), 0.5 + 1e-9)
+        colors = scene.mapped("u", x)
+        self.assertLessEqual(numpy.abs(rgb[places[:, 1], places[:, 0]].astype(int) - colors).max(), 1)
+        simple.ResetSession()
 
 
 if __name__ == "__main__":

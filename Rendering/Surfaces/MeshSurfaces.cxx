@@ -106,6 +106,10 @@ std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryCho
         {
           return false;
         }
+        if (model.IsShell())
+        {
+          return face == ShellFace(model.GetMesh().ShapeOf(element));
+        }
         const FaceKind kind = model.Faces().KindOf(element, face);
         return kind == FaceKind::Boundary || kind == FaceKind::Partly;
       },
@@ -120,14 +124,16 @@ std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryCho
   const auto cells = model.SourceCells();
   AddFaces(
     model.GetMesh(),
-    [&](int element, int /*face*/)
+    [&](int element, int face)
     {
-      return std::ranges::find(choice.elements, cells[static_cast<std::size_t>(element)]) !=
+      return (!model.IsShell() || face == ShellFace(model.GetMesh().ShapeOf(element))) &&
+        std::ranges::find(choice.elements, cells[static_cast<std::size_t>(element)]) !=
         choice.elements.end();
     },
     faces);
   if (choice.inner)
   {
+    model.RequireSolids("faces between elements");
     const FaceTable& table = model.Faces();
     const std::size_t before = faces.size();
     AddFaces(
@@ -163,7 +169,7 @@ std::shared_ptr<const Surface> MakeBoundary(
   RequireElements(*model, choice.elements);
   const std::vector<ElementFace> faces = FacesFor(*model, choice);
   std::vector<bool> partly;
-  if (choice == BoundaryChoice())
+  if (choice == BoundaryChoice() && !model->IsShell())
   {
     for (const ElementFace& one : faces)
     {
@@ -184,6 +190,7 @@ namespace
 /// The field of the choice. Checks its component and value.
 const Field& FieldFor(const HighOrderModel& model, const IsoChoice& choice)
 {
+  model.RequireSolids("an iso-surface");
   if (!std::isfinite(choice.value))
   {
     throw Error("iso-surface: the value is not finite; choose a number");

@@ -34,6 +34,10 @@ std::shared_ptr<const Surface> SurfaceCache::Of(
     }
     Entries.erase(found);
   }
+  if (source.function != nullptr || (source.surface != nullptr && !source.surface->IsMadeOfMesh()))
+  {
+    model->RequireSolids("cut-surface");
+  }
   const SurfaceSearch search{ model->GetLocator().Bounds(), samples };
   Entry entry{ object, state, samples, true, nullptr };
   entry.ofModel = source.surface == nullptr || source.surface->IsMadeOfMesh();

@@ -59,9 +59,9 @@ TEST(BadInput, OnlyLines)
   ExpectRefused(OneCell(VTK_LINE, Nodes(2)), { "no two- or three-dimensional cell", "1 of other" });
 }
 
-TEST(BadInput, SurfacesInSpace)
+TEST(BadInput, SurfacesWithoutArea)
 {
-  ExpectRefused(OneCell(VTK_TRIANGLE, Nodes(3)), { "surface in space", "z = const" });
+  ExpectRefused(OneCell(VTK_TRIANGLE, { 0, 0, 0, 1, 0, 1, 2, 0, 2 }), { "cell 0", "has no area" });
 }
 
 TEST(BadInput, PlaneCellsThatAreNoPolynomials)

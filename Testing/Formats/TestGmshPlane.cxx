@@ -167,12 +167,15 @@ TEST(GmshPlane, SchemesOfPlaneShapes)
     model, [](double x, double y) { return 0.5 + 2 * x - 3 * y + 4 * x * y; }, 1e-14);
 }
 
-TEST(GmshPlane, SurfacesInSpaceAreRefused)
+TEST(GmshPlane, SurfacesInSpaceHaveANote)
 {
-  ExpectParts(GmshMessage(std::string(kFormat22) +
-                "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 1\n$EndNodes\n$Elements\n1\n"
-                "1 2 2 0 1 1 2 3\n$EndElements\n"),
-    { "surface in space", "gmsh -3" });
+  const SolverModel model = ReadGmsh(std::string(kFormat22) +
+    "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 1\n$EndNodes\n$Elements\n1\n"
+    "1 2 2 0 1 1 2 3\n$EndElements\n");
+  ASSERT_TRUE(model.mesh.slab.has_value());
+  EXPECT_TRUE(model.mesh.slab->inSpace);
+  ASSERT_EQ(model.notes.size(), 1U);
+  ExpectParts(model.notes[0], { "surface in space", "gmsh -3" });
 }
 
 TEST(GmshPieces, AreTheMeshInOneFile)

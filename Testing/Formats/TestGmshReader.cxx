@@ -296,9 +296,6 @@ TEST(GmshReader, RefusesDamagedMeshes)
   ExpectParts(replaced(kPair22, "11 4 2 0 1", "11 4 5 0 1 0 7 77"), { "part of another" });
   ExpectParts(replaced(kPair22, "11 4 2 0 1", "11 4 5 0 1 1 1 77"), { "part of another" });
   ExpectParts(GmshMessage(std::string(kFormat22) + kNodes22 +
-                "$Elements\n1\n10 2 2 0 7 2 3 4\n$EndElements\n"),
-    { "on a surface in space", "Mesh.SaveAll" });
-  ExpectParts(GmshMessage(std::string(kFormat22) + kNodes22 +
                 "$Elements\n1\n1 32 2 0 1 1 2 3 4 5 1 2 3 4 5 1 2 3 4 5 1 2 3 4 5 1 2\n"
                 "$EndElements\n"),
     { "a.msh", "tetrahedra of order 4 with 22 nodes", "complete" });

@@ -245,8 +245,18 @@ TEST(MfemPlane, PlanesInSpace)
   const SolverModel model = ReadTexts(Mixed("3\n0 0 5\n1 0 5\n1 1 5\n0 1 5\n2 0 5\n2 1 5\n"));
   EXPECT_EQ(model.mesh.slab->middle, 5.0);
   EXPECT_EQ(PointAt(model, 0, { 0, 0, 0 }), Vec3(0.5, 0.5, 5.0));
-  ExpectMessage(Message(Mixed("3\n0 0 5\n1 0 5\n1 1 5\n0 1 5\n2 0 5\n2 1 6\n")),
-    { "a.mesh", "surface", "z from 5.0 to 6.0", "z = const" });
+}
+
+TEST(MfemPlane, SurfacesInSpaceAreFacesOfSolids)
+{
+  const SolverModel model = ReadTexts(Mixed("3\n0 0 5\n1 0 6\n1 1 8\n0 1 5\n2 0 5\n2 1 6\n"));
+  ASSERT_TRUE(model.mesh.slab->inSpace);
+  ASSERT_EQ(model.mesh.map.SpaceOf(0).shape, Shape::Hexahedron);
+  const Vec3 middle = PointAt(model, 0, { 0, 0, 1 });
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(middle[c], Vec3(0.5, 0.5, 6.0)[c], 4e-15);
+  }
 }
 
 TEST(MfemPlane, RefusalsNameTheReason)

@@ -9,7 +9,8 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUAD, vtkPlane, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
@@ -132,6 +133,43 @@ class Surfaces(unittest.TestCase):
             self.assertIsNone(scene.mapper.GetBuffers())
             self.assertEqual(len(scene.errors), 1)
             self.assertIn(told, scene.errors[0])
+
+
+class SurfacesInSpace(unittest.TestCase):
+    """One bilinear quadrilateral, z = x y, with the field u = x."""
+
+    def setUp(self):
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        field = vtkDoubleArray()
+        field.SetName("u")
+        for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            points.InsertNextPoint(x, y, x * y)
+            field.InsertNextValue(x)
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_QUAD, 4, [0, 1, 2, 3])
+        grid.GetPointData().AddArray(field)
+        self.grid = grid
+
+    def test_are_drawn_without_a_surface(self):
+        picture = pixelexact.render(self.grid, "u", size=(60, 60), view="z")
+        hit = picture.array("Verdict") == 1
+        self.assertGreater(np.count_nonzero(hit), 1000)
+        x, y, z = picture.array("Position")[hit].T
+        np.testing.assert_allclose(z, x * y, atol=1e-15)
+        np.testing.assert_allclose(picture.array("Value")[hit], x, atol=1e-15)
+
+    def test_refuse_planes(self):
+        with self.assertRaisesRegex(pixelexact.Error, "surface in space"):
+            pixelexact.render(self.grid, "u", size=(20, 20), surface=vtkPlane())
+
+    def test_are_named(self):
+        converter = pixelexact.vtkUnstructuredGridToHighOrderGrid()
+        converter.SetInputData(self.grid)
+        converter.Update()
+        self.assertTrue(pixelexact.vtkHighOrderGrid.IsSurfaceInSpace(converter.GetOutput()))
+        self.assertFalse(pixelexact.vtkHighOrderGrid.IsSurfaceInSpace(self.grid))
 
 
 if __name__ == "__main__":

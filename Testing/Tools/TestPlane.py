@@ -105,11 +105,6 @@ class Plane(PlaneTest):
         np.testing.assert_allclose(found["value"][:2], [0.0625 - 0.125, 0.5625 - 0.75 / 8],
                                    atol=1e-15)
 
-    def test_surfaces_in_space_are_refused(self):
-        nodes = [[0, 0, 0], [1, 0, 0], [0, 1, 1]]
-        file = self.write("t.vtu", plain_grid(nodes, [(5, [0, 1, 2])], [("u", [0.0, 1.0, 2.0])]))
-        self.fails(1, "info", file, names=["t.vtu", "surface in space", "z = const"])
-
     def test_nektar_meets_the_exact_solution(self):
         """Kovasznay's flow at Re = 40, by 12 elements of order 7."""
         rate = 20 - math.sqrt(400 + 4 * math.pi**2)

@@ -102,16 +102,15 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
   }
   else
   {
-    try
+    AssemblePlaneMap(basis, 3, gather, describe, model.mesh);
+    if (model.mesh.slab->inSpace)
     {
-      AssemblePlaneMap(basis, 3, gather, describe, file, model.mesh);
-    }
-    catch (const Unsupported& error)
-    {
-      throw Unsupported(std::string(error.what()) +
-        " Where the model has a volume, mesh it (gmsh -3), and where there are physical groups, "
-        "put "
-        "the volume in one or set Mesh.SaveAll = 1.");
+      model.notes.push_back(file +
+        ": its elements are triangles and quadrilaterals on a surface in space. Where the model "
+        "has "
+        "a volume, mesh it (gmsh -3), and where there are physical groups, put the volume in one "
+        "or "
+        "set Mesh.SaveAll = 1.");
     }
   }
   const bool byEntity = !HasPhysical(mesh.elements);

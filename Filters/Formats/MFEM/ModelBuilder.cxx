@@ -266,7 +266,7 @@ void ModelBuilder::AddMap()
     AssembleMap(source.bases, gather, describe, Model.mesh);
     return;
   }
-  AssemblePlaneMap(source.bases, components, gather, describe, Pieces[0].name, Model.mesh);
+  AssemblePlaneMap(source.bases, components, gather, describe, Model.mesh);
 }
 
 void ModelBuilder::AddGroups()

@@ -44,7 +44,7 @@ ElementBasis BasisOf(const Header& header)
   return basis;
 }
 
-void AddMesh(const StepElements& elements, const std::string& file, SolverMesh& mesh)
+void AddMesh(const StepElements& elements, SolverMesh& mesh)
 {
   const Header& header = elements.GetHeader();
   const int dimension = header.Dimension();
@@ -61,7 +61,7 @@ void AddMesh(const StepElements& elements, const std::string& file, SolverMesh& 
   }
   else
   {
-    AssemblePlaneMap(bases, 2, gather, describe, file, mesh, roundoff);
+    AssemblePlaneMap(bases, 2, gather, describe, mesh, roundoff);
   }
   DropRoundedOrders(bases, roundoff, mesh);
   // Files do not contain which elements share a vertex, so each element has its own.
@@ -142,7 +142,7 @@ SolverModel Read(const std::vector<NamedText>& step, const std::vector<NamedText
     {
       throw InvalidData(mesh.front().name + ": the file has no mesh (X).");
     }
-    AddMesh(elements, mesh.front().name, model.mesh);
+    AddMesh(elements, model.mesh);
     elements.Forget();
   }
   const std::string& file = step.front().name;

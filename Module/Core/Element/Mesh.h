@@ -41,6 +41,9 @@ struct Mesh
   /// Per element, world units: how far the true map may be from the stored one, by the rounding of
   /// the source's coordinates and by modes dropped as noise. Faces are as uncertain as this.
   std::span<const double> uncertainty;
+  /// The mesh is a surface in space: each element stands for its ShellFace, and the solid beneath
+  /// it is there for the kernels alone. Only points on that face are inside.
+  bool isShell = false;
 
   [[nodiscard]] int Elements() const { return map.Elements(); }
   [[nodiscard]] Shape ShapeOf(int element) const { return map.SpaceOf(element).shape; }

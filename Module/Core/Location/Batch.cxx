@@ -3,11 +3,13 @@
 #include "Core/Location/BatchScratch.h"
 #include "Core/Location/FoundPointKernels.h"
 #include "Core/Math/Rounding.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 namespace pixelexact
@@ -20,12 +22,21 @@ constexpr std::size_t kManyCandidates = 48;
 constexpr std::size_t kManyCandidatesOfChunk = 12;
 constexpr int kSmallChunk = 8;
 
+/// How far, in xi, a point of a surface in space may be beneath it: rounded coordinates are.
+constexpr double kBeneathShell = 1.6e-5;
+
 bool Overlap(const Box3& a, const Box3& b)
 {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
     b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 } // namespace
+
+bool Locator::Batch::IsOnShell(Shape shape, const Vec3& xi)
+{
+  const ShapeFace face = FacesOf(shape)[static_cast<std::size_t>(ShellFace(shape))];
+  return std::fabs(xi[face.direction] - (face.upper ? 1.0 : -1.0)) <= kBeneathShell;
+}
 
 Locator::Batch::Batch(const Locator& locator, const LanePoints& points, LocationSink& sink)
   : Owner(locator)
@@ -200,6 +211,14 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
   {
     const StageScope scope(Stage::Inversion);
     KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
+  }
+  for (int k = 0; mesh_.isShell && k < count; ++k)
+  {
+    if (!IsOnShell(Problem.space.shape, { result.xi[0][k], result.xi[1][k], result.xi[2][k] }))
+    {
+      result.status[k] = static_cast<double>(NewtonStatus::RootOutside);
+      result.margin[k] = 0.0;
+    }
   }
   const int others = FindOthers(result.status, count, Work.others.data());
   const std::size_t firstDoubt = Work.doubtful.size();

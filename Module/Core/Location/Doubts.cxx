@@ -155,7 +155,9 @@ void Locator::Batch::DecideGroup(
   for (std::size_t k = 0; k < doubts.size(); ++k)
   {
     MostBoxes = std::max(MostBoxes, found[k].boxes);
-    if (found[k].verdict == Verdict::Inside)
+    const bool isBeneath = mesh_.isShell && !found[k].roots.empty() &&
+      !IsOnShell(mesh_.ShapeOf(doubts[k].element), found[k].roots.front().xi);
+    if (found[k].verdict == Verdict::Inside && !isBeneath)
     {
       const InverseRoot& root = found[k].roots.front();
       std::array<std::array<double, kLanePadding>, 3> xi;

@@ -3,6 +3,7 @@
 
 #include "Core/Location/Sample.h"
 #include "Core/Math/Interval.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,10 @@ Extreme ExtremeAt(const Mesh& mesh, const RangeQuestion& question, int element, 
 Extremes FindExtremes(const Mesh& mesh, const RangeQuestion& question, bool isPlane,
   const RangeEffort& effort, const RangeProgress& progress)
 {
+  if (mesh.isShell && question.field != nullptr)
+  {
+    RequirePolynomials(*question.field, "extremes on a surface in space");
+  }
   const MeshRange found = RangeOf(mesh, question, effort, progress);
   Extremes extremes;
   extremes.notFinite = found.notFinite;
@@ -65,7 +70,13 @@ Extremes FindExtremes(const Mesh& mesh, const RangeQuestion& question, bool isPl
   extremes.boxes = found.boxes;
   const auto placeOf = [&](int element, Vec3 eta)
   {
-    if (isPlane)
+    if (mesh.isShell)
+    {
+      const Shape shape = mesh.ShapeOf(element);
+      const ShapeFace face = FacesOf(shape)[static_cast<std::size_t>(ShellFace(shape))];
+      eta[face.direction] = face.upper ? 1.0 : -1.0;
+    }
+    else if (isPlane)
     {
       eta[AcrossSlab(mesh.ShapeOf(element))] = 0.0;
     }

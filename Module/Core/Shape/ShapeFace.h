@@ -16,4 +16,11 @@ struct ShapeFace
 
 /// All faces of a shape.
 std::span<const ShapeFace> FacesOf(Shape shape);
+
+/// The face of a prism or hexahedron that stands for a triangle or quadrilateral of a surface in
+/// space. The solid beneath it is there for the kernels alone.
+constexpr int ShellFace(Shape shape)
+{
+  return shape == Shape::Prism ? 3 : 5;
+}
 } // namespace pixelexact

@@ -34,7 +34,12 @@ from ._scene import (
 from ._settings import check, documented
 from ._warp import warped
 from ._work import Error, Progress, errors_of
-from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
+from .PixelExactDataModel import vtkHighOrderGrid
+from .PixelExactRendering import (
+    vtkHighOrderBoundarySurface,
+    vtkHighOrderMapper,
+    vtkHighOrderSurface,
+)
 
 
 def _fields_of(source: Any) -> list[str]:
@@ -124,7 +129,7 @@ def cut(
         name. field: its name, or an expression of fields as text or as a function of what its
         arguments are named after (lambda u, x: u - numpy.sin(x)); None: the first one.
     normal, origin: of the plane; "x", "y", "z", "-z" or three numbers; a point, a coordinate along
-        the axis, or None: the middle of the box. surface instead: a vtkImplicitFunction, a
+        the axis, or None: the middle of the box, or all of a mesh that is a surface in space. surface instead: a vtkImplicitFunction, a
         vtkHighOrderSurface (boundary, iso-surface, patches), or a function that takes points (n, 3)
         and is 0 on the surface.
     {settings}
@@ -152,6 +157,8 @@ def cut(
     if name is not None:
         mapper.SetFieldName(name)
     mapper.SetComponent(component_of(component))
+    if surface is None and origin is None and vtkHighOrderGrid.IsSurfaceInSpace(source):
+        surface = vtkHighOrderBoundarySurface()
     shape = surface_of(surface, mapper.GetBounds(), normal, origin)
     if isinstance(shape, vtkHighOrderSurface):
         mapper.SetSurface(shape)

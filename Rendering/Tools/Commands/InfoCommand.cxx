@@ -111,7 +111,7 @@ Facts Gather(const LoadedModel& input)
   }
   input.grid->GetBounds(facts.nodeBounds.data());
   facts.bounds = mesh.Elements() > 0 ? FindBounds(mesh) : facts.nodeBounds;
-  if (isPlane)
+  if (isPlane && !facts.slab->inSpace)
   {
     for (auto* bounds : { &facts.bounds, &facts.nodeBounds })
     {
@@ -190,7 +190,11 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   const std::array<double, 6> b = WithoutRoundings(facts.bounds);
   const std::string sides =
     fmt::format("x {} to {}, y {} to {}", Short(b[0]), Short(b[1]), Short(b[2]), Short(b[3]));
-  if (facts.slab)
+  if (facts.slab && facts.slab->inSpace)
+  {
+    table.Row("surface", "2-D, in space; shown as the boundary");
+  }
+  if (facts.slab && !facts.slab->inSpace)
   {
     table.Row("plane", "2-D, at z = {}; shown as a slab {} thick", Short(facts.slab->middle),
       Short(facts.slab->thickness));
@@ -301,7 +305,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     { "node_bounds_of", input.converted ? "nodes" : "corners" }, { "fields", fields },
     { "defined", input.model->Definitions() }, { "parameters", input.model->Parameters() } };
   summary["dimension"] = facts.slab ? 2 : 3;
-  if (facts.slab)
+  if (facts.slab && !facts.slab->inSpace)
   {
     summary["slab"] = { { "z", facts.slab->middle }, { "thickness", facts.slab->thickness } };
   }

@@ -70,8 +70,9 @@ std::vector<ImplicitPolynomial> IntegralSurfaces::Clips() const
   return clips;
 }
 
-std::vector<IntegralSurface> IntegralSurfaces::Make(const Box3& box) const
+std::vector<IntegralSurface> IntegralSurfaces::Make(const HighOrderModel& model) const
 {
+  const Box3 box = BoxOf(model);
   std::vector<IntegralSurface> surfaces;
   const auto add = [&surfaces](std::string name, const Surface& surface)
   {
@@ -106,7 +107,16 @@ std::vector<IntegralSurface> IntegralSurfaces::Make(const Box3& box) const
       .boundary = true,
       .attributes = { choice.attributes.begin(), choice.attributes.end() } });
   }
-  if (surfaces.empty())
+  const auto isBoundary = [](const IntegralSurface& surface) { return surface.boundary; };
+  if (const auto other = std::ranges::find_if_not(surfaces, isBoundary); other != surfaces.end())
+  {
+    model.RequireSolids(other->name);
+  }
+  if (surfaces.empty() && model.IsShell())
+  {
+    surfaces.push_back({ .name = "--boundary", .boundary = true });
+  }
+  else if (surfaces.empty())
   {
     addPlane(PlaneChoice::ThroughTheMiddle());
   }

@@ -45,9 +45,10 @@ public:
   [[nodiscard]] bool HasIsoSurfaces() const { return !Isos.empty(); }
   /// The functions that clip all surfaces.
   [[nodiscard]] std::vector<ImplicitPolynomial> Clips() const;
-  /// Makes the surfaces in the mesh's box; without options the plane through the middle. Throws
-  /// UsageError when numbers describe no surface, Error for files that do not contain triangles.
-  [[nodiscard]] std::vector<IntegralSurface> Make(const Box3& box) const;
+  /// Makes the surfaces in the mesh's box; without options the plane through the middle or, of a
+  /// surface in space, the mesh. Throws UsageError when numbers describe no surface, Error for
+  /// files that do not contain triangles, Unsupported where the mesh has no solids for them.
+  [[nodiscard]] std::vector<IntegralSurface> Make(const HighOrderModel& model) const;
 
 private:
   std::vector<PlaneChoice> Planes;

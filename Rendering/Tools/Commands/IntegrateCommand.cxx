@@ -190,7 +190,7 @@ nlohmann::ordered_json SolveStep(const LoadedModel& input, const Field* field,
   nlohmann::ordered_json summary{ { "elements", model.GetMesh().Elements() },
     { "field", field != nullptr ? nlohmann::ordered_json(field->name) : nullptr } };
   AddTime(summary, input);
-  for (const IntegralSurface& surface : options.surfaces.Make(BoxOf(model)))
+  for (const IntegralSurface& surface : options.surfaces.Make(model))
   {
     visit(Solve(surface, input, field, options));
   }

@@ -111,7 +111,7 @@ void AddZ(const ProbeOptions& options, const LoadedModel& input, GivenPoints& gi
     return;
   }
   const std::optional<Slab> slab = SlabOf(input.grid);
-  if (!slab)
+  if (!slab || slab->inSpace)
   {
     if (!options.line.empty())
     {
@@ -196,6 +196,10 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
     stopwatch,
     [&](const LoadedModel& input)
     {
+      if (options.columns.gradient)
+      {
+        input.model->RequireSolids("--gradient");
+      }
       if (steps.empty())
       {
         WarnOfDiagnostics(input);

@@ -39,6 +39,7 @@ WarpFacts FindWarpFacts(
       term.direction = -term.direction;
     }
   }
+  model.RequireSolids("--warp-limit");
   ProgressLine line("finding the limit");
   WarpFacts facts;
   facts.field = field;

@@ -133,7 +133,11 @@ void ReportDefaults(const ShotOptions& options, Shot& shot)
   {
     shot.chosen.insert(shot.chosen.end(), { "--field", shot.input.model->Fields().front().name });
   }
-  if (!options.surfaces.AreGiven())
+  if (!options.surfaces.AreGiven() && shot.input.model->IsShell())
+  {
+    shot.chosen.emplace_back("--boundary");
+  }
+  else if (!options.surfaces.AreGiven())
   {
     const std::string plane = PlaneChoice::ThroughTheMiddle().Numbers(BoxOf(*shot.input.model));
     shot.chosen.push_back("--plane=" + plane);

@@ -20,11 +20,14 @@ namespace pixelexact
 {
 namespace
 {
-/// A surface that is there, whatever the mesh.
-GivenSurface Made(std::shared_ptr<const Surface> surface)
+/// A surface that is the same for all meshes of solids.
+GivenSurface Made(const char* option, std::shared_ptr<const Surface> surface)
 {
-  return [surface = std::move(surface)](const std::shared_ptr<const HighOrderModel>&)
-  { return surface; };
+  return [option, surface = std::move(surface)](const std::shared_ptr<const HighOrderModel>& model)
+  {
+    model->RequireSolids(option);
+    return surface;
+  };
 }
 
 /// A surface that `make` creates from the mesh. Its errors get the option's name.
@@ -98,34 +101,42 @@ std::vector<std::string> SurfaceOptions::Fields() const
 std::vector<GivenSurface> SurfaceOptions::MakeInSpace() const
 {
   std::vector<GivenSurface> surfaces;
-  const auto add = [&surfaces](const PlaneChoice& choice)
+  for (const PlaneChoice& choice : Planes)
   {
     surfaces.push_back(OfMesh("--plane",
       [choice](const std::shared_ptr<const HighOrderModel>& model)
-      { return std::make_shared<Plane>(choice.Make(BoxOf(*model))); }));
-  };
-  std::ranges::for_each(Planes, add);
+      {
+        model->RequireSolids("a plane");
+        return std::make_shared<Plane>(choice.Make(BoxOf(*model)));
+      }));
+  }
   if (!AreGiven())
   {
-    add(PlaneChoice::ThroughTheMiddle());
+    surfaces.emplace_back(
+      [](const std::shared_ptr<const HighOrderModel>& model) -> std::shared_ptr<const Surface>
+      {
+        return model->IsShell()
+          ? MakeBoundary(model, {})
+          : std::make_shared<Plane>(PlaneChoice::ThroughTheMiddle().Make(BoxOf(*model)));
+      });
   }
   for (const NumberedSurface& kind : kNumberedSurfaces)
   {
     for (const GivenNumbers& numbers : Numbers.at(kind.option))
     {
-      surfaces.push_back(Made(MakeNumbered(kind, numbers)));
+      surfaces.push_back(Made(kind.option, MakeNumbered(kind, numbers)));
     }
   }
   for (const std::string& file : Files)
   {
-    surfaces.push_back(Made(ReadTriangles(file)));
+    surfaces.push_back(Made("--surface", ReadTriangles(file)));
   }
   for (const std::string& file : Patches)
   {
     const std::vector<BezierPatch> patches = ReadPatches(file);
     try
     {
-      surfaces.push_back(Made(SurfaceOf(patches)));
+      surfaces.push_back(Made("--patch", SurfaceOf(patches)));
     }
     catch (const Error& error)
     {

@@ -241,7 +241,7 @@ void NurbsModel::AddMap(SolverModel& model)
   }
   else
   {
-    AssemblePlaneMap(bases.basis, function.components, gather, describe, Name, model.mesh);
+    AssemblePlaneMap(bases.basis, function.components, gather, describe, model.mesh);
   }
   for (const int vector : TurnedByOthers(Mesh))
   {

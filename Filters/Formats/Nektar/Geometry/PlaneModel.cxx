@@ -144,8 +144,7 @@ void AddMap(const Geometry& source, const std::string& name, SolverMesh& mesh)
         }
       }
     },
-    [&](std::size_t e) { return name + ": element " + std::to_string(source.solids[e].id); }, name,
-    mesh);
+    [&](std::size_t e) { return name + ": element " + std::to_string(source.solids[e].id); }, mesh);
 }
 } // namespace
 

@@ -130,6 +130,10 @@ OwnedExpansion LiftField(
 void LiftMesh(
   const FourierLayers& layers, Along direction, const std::vector<double>& begin, SolverMesh& mesh)
 {
+  if (mesh.slab)
+  {
+    RequirePlane(*mesh.slab, "Fourier functions");
+  }
   const std::size_t elements = mesh.number.size();
   const auto component = static_cast<std::size_t>(direction == Along::Y ? 1 : 2);
   SolverMesh lifted;

@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces in space: triangles and quadrilaterals of any order, against closed forms on a graph."""
+
+import unittest
+
+import numpy as np
+
+from shells import Patches
+from tool import ToolTest, View, columns, plain_grid, read_buffers, read_csv, run
+
+
+def height(x, y):
+    return 0.4 * x * x - 0.3 * x * y + 0.2 * y**3
+
+
+def slopes(x, y):
+    return 0.8 * x - 0.3 * y, -0.3 * x + 0.6 * y * y
+
+
+def value(x, y):
+    return 1 + x - 2 * y + 3 * x * y * y
+
+
+def graph(x, y):
+    return [x, y, height(x, y)]
+
+
+def over_square(function, points=40):
+    """The integral over [0, 1]^2 by Gauss's rule."""
+    nodes, weights = np.polynomial.legendre.leggauss(points)
+    x, y = np.meshgrid((nodes + 1) / 2, (nodes + 1) / 2)
+    return float(np.sum(np.outer(weights, weights) / 4 * function(x, y)))
+
+
+def area_element(x, y):
+    gx, gy = slopes(x, y)
+    return np.sqrt(1 + gx * gx + gy * gy)
+
+
+VIEW = View([0.5, 0.5, 5], [0.5, 0.5, 0], [0, 1, 0], 90, 90, scale=0.55)
+
+
+def squares_seen():
+    """The (x, y) of the pixels of VIEW, and whether they are over the square."""
+    origins, _ = VIEW.rays()
+    x, y = origins[..., 0], origins[..., 1]
+    return x, y, (x > 0) & (x < 1) & (y > 0) & (y < 1)
+
+
+def crossings(level, x, y):
+    """Whether the value crosses a level on one of the four edges of each pixel."""
+    half = 0.5 * (x[0, 1] - x[0, 0])
+    along = np.linspace(-half, half, 25)[:, None, None]
+    crossed = np.zeros(x.shape, bool)
+    for side in (-half, half):
+        for a, b in ((along, side), (side, along)):
+            signs = np.sign(value(x + a, y + b) - level)
+            crossed |= signs.min(axis=0) != signs.max(axis=0)
+    return crossed
+
+
+class ShellTest(ToolTest):
+    def patches(self, order=3, n=3, shapes="mixed", surface=graph):
+        made = Patches(order, n, surface, shapes)
+        fields = [("u", [value(x, y) for x, y, _ in made.points]),
+                  ("up", [[0.0, 0.0, 1.0]] * len(made.points))]
+        path = self.folder / f"{shapes}{order}.vtu"
+        path.write_text(plain_grid(made.points, made.cells, fields), encoding="utf-8")
+        return path
+
+    def integrals(self, *options):
+        rows = self.summary("integrate", *options)["surfaces"][0]["rows"]
+        return {row["quantity"]: row for row in rows}
+
+    def shown(self, file, *options):
+        out = self.folder / "out.vti"
+        summary = self.summary("render", file, *VIEW.options(), *options, "--output",
+                               self.folder / "out.png", "--buffers", out)
+        return summary, read_buffers(out)
+
+
+class Shells(ShellTest):
+    def test_info_states_a_surface(self):
+        file = self.patches()
+        summary = self.summary("info", file)
+        self.assertEqual(summary["dimension"], 2)
+        self.assertEqual(summary["shapes"], {"triangle": 8, "quadrilateral": 5})
+        self.assertNotIn("slab", summary)
+        np.testing.assert_allclose(summary["bounds"], [0, 1, 0, 1, 0, 0.4], atol=2e-3)
+        self.assertIn("in space", run("info", file).stdout)
+        field = self.summary("info", file, "--certify", "--field", "u")
+        self.assertTrue(field)
+
+    def test_values_and_normals_are_those_of_the_graph(self):
+        x, y, inside = squares_seen()
+        for order in (3, 5):
+            for shapes in ("triangles", "quadrilaterals", "mixed"):
+                with self.subTest(order=order, shapes=shapes):
+                    _, seen = self.shown(self.patches(order, 3, shapes), "--field", "u")
+                    np.testing.assert_array_equal(seen["Verdict"] == 1, inside)
+                    at = seen["Position"][inside]
+                    np.testing.assert_allclose(at[:, 2], height(at[:, 0], at[:, 1]), atol=1e-14)
+                    np.testing.assert_allclose(at[:, 0], x[inside], atol=1e-14)
+                    np.testing.assert_allclose(seen["Value"][inside], value(x, y)[inside], atol=2e-14)
+                    gx, gy = slopes(x[inside], y[inside])
+                    normal = np.stack([-gx, -gy, np.ones_like(gx)], axis=1)
+                    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+                    found = seen["Normal"][inside]
+                    found = found * np.sign(np.sum(found * normal, axis=1))[:, None]
+                    np.testing.assert_allclose(found, normal, atol=1e-12)
+
+    def test_flat_elements_of_order_one(self):
+        def tilted(x, y):
+            return [x, y, 0.5 * x - 0.25 * y]
+
+        x, y, inside = squares_seen()
+        made = Patches(1, 4, tilted, "mixed")
+        file = self.folder / "flat.vtu"
+        file.write_text(plain_grid(made.points, made.cells,
+                                   [("u", [2 * a - b for a, b, _ in made.points])]), encoding="utf-8")
+        _, seen = self.shown(file)
+        np.testing.assert_array_equal(seen["Verdict"] == 1, inside)
+        np.testing.assert_allclose(seen["Value"][inside], (2 * x - y)[inside], atol=1e-15)
+
+    def test_contours_are_proven(self):
+        x, y, inside = squares_seen()
+        levels = [0.5, 1.0, 1.5]
+        _, seen = self.shown(self.patches(), "--field", "u", "--contours",
+                             ",".join(map(str, levels)))
+        crossed = np.any([crossings(level, x, y) for level in levels], axis=0)
+        # Only pixels whose neighbours are over the square as well: others see its rim.
+        whole = inside.copy()
+        whole[1:-1, 1:-1] &= inside[:-2, 1:-1] & inside[2:, 1:-1] & inside[1:-1, :-2] & inside[1:-1, 2:]
+        contour = seen["Contour"]
+        self.assertFalse(np.any(whole & (contour == 0) & crossed))
+        self.assertFalse(np.any(whole & (contour == 1) & ~crossed))
+        self.assertLess(np.count_nonzero(contour == 2), 5)
+        self.assertGreater(np.count_nonzero(contour == 1), 100)
+
+    def test_integrals_hold_the_closed_forms(self):
+        area = over_square(area_element)
+        total = over_square(lambda x, y: value(x, y) * area_element(x, y))
+        for options in ((), ("--boundary",)):
+            rows = self.integrals(self.patches(), "--field", "u", *options)
+            for name, exact in (("Area", area), ("Integral", total)):
+                row = rows[name]
+                self.assertAlmostEqual(row["value"], exact, delta=1e-7)
+                self.assertLessEqual(abs(row["value"] - exact), row["error_bound"] + 1e-14)
+        # The constant field (0, 0, 1) flows through the projection of the graph.
+        flux = self.integrals(self.patches(), "--field", "up")["Flux"]
+        self.assertAlmostEqual(flux["value"], 1.0, delta=1e-7)
+
+    def test_probes_find_the_surface_alone(self):
+        random = np.random.default_rng(5)
+        x, y = random.uniform(0.0, 1.0, (2, 50))
+        rows = [(a, b, height(a, b)) for a, b in zip(x, y)]
+        rows += [(a, b, height(a, b) + off) for a, b in zip(x[:5], y[:5]) for off in (1e-3, -1e-5, -1e-3)]
+        points, out = self.folder / "p.csv", self.folder / "o.csv"
+        points.write_text("x,y,z\n" + "\n".join(",".join(repr(float(v)) for v in row) for row in rows),
+                          encoding="utf-8")
+        self.succeeds("probe", self.patches(), "--field", "u", "--points", points, "--output", out)
+        table = read_csv(out)
+        verdicts = [row["verdict"] for row in table]
+        self.assertEqual(verdicts, ["inside"] * 50 + ["outside"] * 15)
+        np.testing.assert_allclose(columns(table[:50])["value"], value(x, y), atol=1e-13)
+
+    def test_expressions_take_values_alone(self):
+        x, y, inside = squares_seen()
+        _, seen = self.shown(self.patches(), "--field", "u^2 + z*dot(n, up)")
+        gx, gy = slopes(x, y)
+        exact = value(x, y) ** 2 + height(x, y) / np.sqrt(1 + gx * gx + gy * gy)
+        np.testing.assert_allclose(seen["Value"][inside], exact[inside], atol=1e-12)
+        for text in ("grad(u).x", "detJ", "mag(curl(up))", "jump(u)"):
+            self.fails(1, "render", self.patches(), "--field", text, "--output",
+                       self.folder / "no.png", names=["surface in space"])
+
+    def test_what_needs_solids_is_refused(self):
+        file = self.patches()
+        out = ["--output", self.folder / "no.png"]
+        for options in (["--plane", "z=0.1"], ["--sphere", "0,0,0,1"], ["--isosurface", "u=1"],
+                        ["--faces"]):
+            self.fails(1, "render", file, *options, *out, names=["surface in space", "--boundary"])
+        self.fails(1, "integrate", file, "--field", "u", "--plane", "z=0.1", names=["surface in space"])
+        self.fails(1, "info", file, "--jumps", "u", names=["surface in space"])
+        points = self.folder / "p.csv"
+        points.write_text("x,y,z\n0,0,0\n", encoding="utf-8")
+        self.fails(1, "probe", file, "--points", points, "--gradient", names=["surface in space"])
+
+    def test_a_half_cylinder_of_one_element(self):
+        """Its normal turns by 180 degrees within an element; the area is that of the polynomial."""
+        def arc(x, y):
+            return [-np.cos(np.pi * x), y, np.sin(np.pi * x)]
+
+        made = Patches(8, 1, arc, "quadrilaterals")
+        file = self.folder / "arc.vtu"
+        file.write_text(plain_grid(made.points, made.cells, [("u", [p[2] for p in made.points])]),
+                        encoding="utf-8")
+        area = self.integrals(file, "--field", "u")["Area"]["value"]
+        self.assertAlmostEqual(area, np.pi, delta=1e-4)
+        _, seen = self.shown(file)
+        hit = seen["Verdict"] == 1
+        self.assertGreater(np.count_nonzero(hit), 1000)
+        np.testing.assert_allclose(seen["Value"][hit], seen["Position"][hit][:, 2], atol=1e-13)
+
+
+GMSH = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+2 3 "left"
+2 4 "right"
+$EndPhysicalNames
+$Nodes
+6
+1 0 0 0
+2 1 0 0
+3 1 1 1
+4 0 1 1
+5 2 0 0
+6 2 1 1
+$EndNodes
+$Elements
+2
+1 3 2 3 1 1 2 3 4
+2 3 2 4 1 2 5 6 3
+$EndElements
+$NodeData
+1
+"u"
+1
+0.0
+3
+0
+1
+6
+1 0
+2 1
+3 1
+4 0
+5 2
+6 2
+$EndNodeData
+"""
+
+MFEM = """MFEM mesh v1.0
+
+dimension
+2
+
+elements
+2
+3 3 0 1 2 3
+4 3 1 4 5 2
+
+boundary
+0
+
+vertices
+6
+3
+0 0 0
+1 0 0
+1 1 1
+0 1 1
+2 0 0
+2 1 1
+"""
+MFEM_FIELD = "FiniteElementSpace\nFiniteElementCollection: H1_2D_P1\nVDim: 1\nOrdering: 0\n\n0\n1\n1\n0\n2\n2\n"
+
+
+class ShellFormats(ShellTest):
+    def files(self):
+        gmsh, mesh, field = (self.folder / name for name in ("s.msh", "s.mesh", "u.gf"))
+        gmsh.write_text(GMSH, encoding="utf-8")
+        mesh.write_text(MFEM, encoding="utf-8")
+        field.write_text(MFEM_FIELD, encoding="utf-8")
+        return [[gmsh], [mesh, field]]
+
+    def test_parts_by_attributes(self):
+        for files in self.files():
+            with self.subTest(files[0].name):
+                whole = self.integrals(*files, "--field", "u")
+                self.assertAlmostEqual(whole["Area"]["value"], 2 * np.sqrt(2), delta=1e-12)
+                self.assertAlmostEqual(whole["Integral"]["value"], 2 * np.sqrt(2), delta=1e-9)
+                right = self.integrals(*files, "--field", "u", "--boundary=4")
+                self.assertAlmostEqual(right["Integral"]["value"], 1.5 * np.sqrt(2), delta=1e-9)
+
+    def test_pictures_of_both_are_the_same(self):
+        seen = [self.shown(*files, "--field", "u")[1] for files in self.files()]
+        np.testing.assert_array_equal(seen[0]["Value"], seen[1]["Value"])
+
+
+if __name__ == "__main__":
+    unittest.main()
