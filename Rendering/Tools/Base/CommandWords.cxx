@@ -209,6 +209,25 @@ std::string CommandOf(const CLI::App& program, const std::vector<std::string>& w
   return first != words.end() && FindCommand(program, *first) != nullptr ? *first : std::string();
 }
 
+std::shared_ptr<CLI::App> ParseCommand(
+  const std::vector<std::string>& words, const std::function<void(CLI::App& command)>& declare)
+{
+  auto program = std::make_shared<CLI::App>();
+  declare(*program->add_subcommand(words.front()));
+  try
+  {
+    std::vector<std::string> arguments = PrepareWords(*program, words);
+    // CLI11 takes arguments from the back.
+    std::ranges::reverse(arguments);
+    program->parse(std::move(arguments));
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw UsageError(error.what());
+  }
+  return program;
+}
+
 std::vector<std::string> PrepareWords(
   const CLI::App& program, const std::vector<std::string>& words)
 {

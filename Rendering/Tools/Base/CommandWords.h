@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,12 @@ namespace pixelexact
 /// twice that takes one value, and an option without its value.
 std::vector<std::string> PrepareWords(
   const CLI::App& program, const std::vector<std::string>& words);
+
+/// Parses the words of a command of its own program, which begin with its name. `declare` adds its
+/// options; the objects that they are bound to get their values. Returns the program, which they
+/// may refer to. Throws UsageError for wrong usage.
+std::shared_ptr<CLI::App> ParseCommand(
+  const std::vector<std::string>& words, const std::function<void(CLI::App& command)>& declare);
 
 /// The command that the words name; empty: none.
 std::string CommandOf(const CLI::App& program, const std::vector<std::string>& words);

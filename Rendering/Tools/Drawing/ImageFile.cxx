@@ -88,6 +88,7 @@ std::string BigEndian(std::uint64_t number, int bytes)
 std::string EncodePng(const Image& image, const PictureFacts& facts, const std::string& file)
 {
   vtkNew<vtkPNGWriter> writer;
+  writer->SetCompressionLevel(facts.pngEffort);
   writer->AddText("Software", kPictureMark);
   for (const auto& [key, text] : facts.texts)
   {

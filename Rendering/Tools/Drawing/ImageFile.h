@@ -32,6 +32,7 @@ struct PictureFacts
   std::optional<double> dpi; ///< pixels in an inch; none: not stored
   PictureTexts texts;
   int jpegQuality = 95; ///< 1 to 100
+  int pngEffort = 5;    ///< zlib's level, 1 (fast) to 9 (small); the pixels are the same
 };
 
 /// The bytes of a PNG, TIFF or JPEG. PNG and TIFF are lossless; JPEG is not, and has no alpha.

@@ -4,6 +4,7 @@
 #include "Base/Command.h"
 #include "Base/Numbers.h"
 #include "Input/Input.h"
+#include "Picture/CameraMoves.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -23,13 +24,6 @@ constexpr const char* kTurnForm = "DEGREES:N";
 bool ReadFrames(const std::string& text, int& frames)
 {
   return ParseInteger(text, frames) && frames >= 1 && frames <= AnimationOptions::kMaxFrames;
-}
-
-/// About an axis of unit length (O. Rodrigues, 1840).
-Vec3 Rotated(const Vec3& v, const Vec3& axis, double angle)
-{
-  return std::cos(angle) * v + std::sin(angle) * glm::cross(axis, v) +
-    (1.0 - std::cos(angle)) * glm::dot(axis, v) * axis;
 }
 } // namespace
 

@@ -244,8 +244,9 @@ LoadedModel LoadWhole(
     options.input, field, stopwatch, before != nullptr ? before->input.source.Get() : nullptr);
 }
 
-/// All but the view.
-Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, const Shot* before)
+/// All but the view. `loaded`: the input, where it was read; null: it is read.
+Shot MakeShot(
+  const ShotOptions& options, Stopwatch& stopwatch, const Shot* before, LoadedModel* loaded)
 {
   Shot shot;
   shot.size = options.size;
@@ -254,7 +255,11 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, const Shot* befo
   shot.settings = options.MakeLayers();
   const std::vector<GivenSurface> given = options.surfaces.Make();
   const std::string field = FieldToLoad(options, shot.settings);
-  if (AreSeveralProcesses())
+  if (loaded != nullptr)
+  {
+    shot.input = std::move(*loaded);
+  }
+  else if (AreSeveralProcesses())
   {
     if (options.surfaces.CountWalls() > 0 || options.surfaces.HasInnerFaces())
     {
@@ -270,7 +275,7 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, const Shot* befo
   {
     shot.input = LoadWhole(options, field, stopwatch, before);
   }
-  if (before == nullptr)
+  if (before == nullptr && loaded == nullptr)
   {
     WarnOfDiagnostics(shot.input);
   }
@@ -293,13 +298,12 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, const Shot* befo
   stopwatch.Stage("bounds+bvh");
   return shot;
 }
-} // namespace
 
-Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedModel* loaded)
 {
   options.camera.Check();
   options.colors.Check();
-  Shot shot = MakeShot(options, stopwatch, nullptr);
+  Shot shot = MakeShot(options, stopwatch, nullptr, loaded);
   const Box3 box = BoxOf(*shot.input.model);
   const auto& first = shot.scene.layers.front().surface;
   // A surface that is not flat has normals in many directions.
@@ -323,6 +327,17 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   stopwatch.Stage("camera");
   return shot;
 }
+} // namespace
+
+Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+{
+  return PrepareWithView(options, stopwatch, nullptr);
+}
+
+Shot Prepare(const ShotOptions& options, LoadedModel input, Stopwatch& stopwatch)
+{
+  return PrepareWithView(options, stopwatch, &input);
+}
 
 Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch)
 {
@@ -333,7 +348,7 @@ Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopw
   {
     asked.field = field->name;
   }
-  Shot shot = MakeShot(asked, stopwatch, &before);
+  Shot shot = MakeShot(asked, stopwatch, &before, nullptr);
   shot.view = before.view;
   shot.chosen = before.chosen;
   return shot;

@@ -95,6 +95,10 @@ std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const I
 /// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);
 
+/// The same of an input that was read, whose step, deformation and truncation are those of the
+/// options. Notes about the input are not repeated.
+Shot Prepare(const ShotOptions& options, LoadedModel input, Stopwatch& stopwatch);
+
 /// The same of another time step or of another scale of --warp, with the view that was, of options
 /// that Prepare took; where the mesh is the same it is shared. `before` is held until it returns.
 Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch);

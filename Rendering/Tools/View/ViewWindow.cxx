@@ -4,7 +4,7 @@
 #include "Base/Command.h"
 #include "Base/Provenance.h"
 #include "Base/Report.h"
-#include "View/ShellWords.h"
+#include "View/RunTool.h"
 #include "View/ViewTexts.h"
 
 #include "Core/Base/Error.h"

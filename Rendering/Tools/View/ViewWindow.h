@@ -3,8 +3,8 @@
 
 #include "Base/Report.h"
 #include "Picture/RenderOptions.h"
+#include "Picture/ShownWords.h"
 #include "View/DraggedShape.h"
-#include "View/ShellWords.h"
 #include "View/ViewScene.h"
 #include "View/ViewTexts.h"
 

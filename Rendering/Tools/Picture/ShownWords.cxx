@@ -1,50 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "View/ShellWords.h"
+#include "Picture/ShownWords.h"
 
 #include "Base/Numbers.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 namespace pixelexact
 {
-bool RunTool(const std::vector<std::string>& words)
-{
-  std::error_code ignored;
-  const std::filesystem::path beside =
-    std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "pixelexact";
-  std::vector<std::string> copies{ "pixelexact" };
-  copies.insert(copies.end(), words.begin(), words.end());
-  copies.emplace_back("--quiet");
-  std::vector<char*> arguments;
-  arguments.reserve(copies.size() + 1);
-  for (std::string& word : copies)
-  {
-    arguments.push_back(word.data());
-  }
-  arguments.push_back(nullptr);
-  pid_t process = -1;
-  int status = 0;
-  return posix_spawnp(&process, std::filesystem::exists(beside) ? beside.c_str() : "pixelexact",
-           nullptr, nullptr, arguments.data(), environ) == 0 &&
-    waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
-namespace
-{
-/// The name of "--name=value".
-std::string NameOf(const std::string& word)
+std::string OptionOf(const std::string& word)
 {
   return word.starts_with("--") ? word.substr(0, word.find('=')) : std::string();
 }
 
+namespace
+{
 bool IsOneOf(const std::string& name, std::initializer_list<const char*> names)
 {
   return std::ranges::any_of(names, [&name](const char* one) { return name == one; });
@@ -80,7 +53,7 @@ std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::str
 {
   std::vector<std::string> result{ "render" };
   bool surfaceIsThere = now.surface.empty();
-  const std::string moved = NameOf(now.surface);
+  const std::string moved = OptionOf(now.surface);
   bool contoursAreThere = false;
   bool edgesAreThere = false;
   std::vector<std::string> all(words.begin() + 1, words.end());
@@ -88,7 +61,7 @@ std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::str
   std::vector<std::string> added;
   for (const std::string& word : all)
   {
-    const std::string name = NameOf(word);
+    const std::string name = OptionOf(word);
     if (IsReplaced(name, now) || word == "--")
     {
       continue;

@@ -10,11 +10,10 @@
 
 namespace pixelexact
 {
-/// Runs the command-line tool beside this program, without its table, and waits for it. Returns
-/// whether it succeeded; its messages go to stderr.
-bool RunTool(const std::vector<std::string>& words);
+/// The option of a word: "--plane" of "--plane=z"; empty for a word that is none.
+[[nodiscard]] std::string OptionOf(const std::string& word);
 
-/// The state of a window that differs from its command line.
+/// The state of a window or a page that differs from its command line.
 struct ShownNow
 {
   std::string surface; ///< "--plane=...", replaces the first one of its kind; empty: none
@@ -26,7 +25,7 @@ struct ShownNow
   std::string output;
 };
 
-/// The words of render for a figure of the window's picture. `words`: those of view, from
+/// The words of render for a figure of the shown picture. `words`: those of view or serve, from
 /// PrepareWords; `contours`: value of --contours where the words have none.
 std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::string>& words,
   const std::vector<std::string>& chosen, const std::string& contours);

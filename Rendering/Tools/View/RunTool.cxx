@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "View/RunTool.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace pixelexact
+{
+bool RunTool(const std::vector<std::string>& words)
+{
+  std::error_code ignored;
+  const std::filesystem::path beside =
+    std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "pixelexact";
+  std::vector<std::string> copies{ "pixelexact" };
+  copies.insert(copies.end(), words.begin(), words.end());
+  copies.emplace_back("--quiet");
+  std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
+  for (std::string& word : copies)
+  {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
+  pid_t process = -1;
+  int status = 0;
+  return posix_spawnp(&process, std::filesystem::exists(beside) ? beside.c_str() : "pixelexact",
+           nullptr, nullptr, arguments.data(), environ) == 0 &&
+    waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+} // namespace pixelexact
