@@ -86,6 +86,14 @@ find_package(Freetype REQUIRED)
 # cairo has no CMake package.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-pdf cairo-svg fontconfig)
+# Without it the program refuses serve by name.
+if(PIXELEXACT_BUILD_SERVE)
+  pkg_check_modules(WEBSOCKETS QUIET IMPORTED_TARGET libwebsockets>=4.0)
+  if(NOT WEBSOCKETS_FOUND)
+    message(STATUS "No command serve: libwebsockets is missing (libwebsockets-dev)")
+    set(PIXELEXACT_BUILD_SERVE OFF)
+  endif()
+endif()
 find_package(TIFF REQUIRED)
 # The component CXX of CMake 3.25 forgets where it is.
 find_library(TIFF_STREAM_LIBRARY tiffxx REQUIRED)

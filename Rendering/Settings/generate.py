@@ -11,8 +11,10 @@
     generate.py page PAGE.md            the table of formats, in place of the one in files.md
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
+    generate.py literal FILE OUT.inc    a text as string literals of C++, for the page of serve
 """
 
+import json
 import math
 import pprint
 import re
@@ -245,11 +247,18 @@ def write_forwarders(out):
     out.write_text(text, encoding="utf-8")
 
 
+def write_literal(source, out):
+    """The text of a file as string literals of C++, one for each line. The compiler joins them."""
+    lines = source.read_text(encoding="utf-8").splitlines()
+    out.write_text("".join(json.dumps(line + "\n") + "\n" for line in lines), encoding="utf-8")
+
+
 def main(what, *files):
     writers = {
         "cxx": write_cxx, "formats": write_formats, "python": write_python,
         "python-formats": write_python_formats, "readers": write_readers, "page": write_page,
         "xml": write_xml, "forwarders": write_forwarders,
+        "literal": write_literal,
     }
     writers[what](*map(Path, files))
 

@@ -126,6 +126,7 @@ int Run(std::vector<std::string> words)
   pixelexact::AddCompareCommand(program, common, action);
   pixelexact::AddIntegrateCommand(program, common, action);
   pixelexact::AddViewCommand(program, common, action);
+  pixelexact::AddServeCommand(program, common, action);
   for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
   {
     pixelexact::AddCommonOptions(*command, common);

@@ -33,7 +33,7 @@ LAYERS = {
     ],
     "Filters": ["Grids", "Cells", "Conversion", "Parts", "Files", "Cuts"],
     "Rendering": ["Views", "Surfaces", "Frames"],
-    "Tools": ["Base", "Drawing", "Input", "Scene", "Picture", "Bench", "Trade", "Commands"],
+    "Tools": ["Base", "Drawing", "Input", "Scene", "Picture", "Serve", "Bench", "Trade", "Commands"],
     "MFEM": ["Text", "Elements", "Meshes", "Nurbs"],
     "Nektar": ["Files", "Geometry", "Homogeneous", "Fields"],
 }

@@ -9,13 +9,14 @@ set -euo pipefail
 packages=(
   ca-certificates cmake g++ ninja-build
   libcairo2-dev libcli11-dev libeigen3-dev libembree-dev libfmt-dev libfontconfig-dev libfreetype-dev
-  libglm-dev libhdf5-dev libhwy-dev libpugixml-dev libtbb-dev libtiff-dev libvtk9-dev libxxhash-dev
+  libglm-dev libhdf5-dev libhwy-dev libpugixml-dev libtbb-dev libtiff-dev libvtk9-dev
+  libwebsockets-dev libxxhash-dev
   mpi-default-dev nlohmann-json3-dev pkg-config tao-pegtl-dev zlib1g-dev
   python3 python3-dev python3-numpy python3-vtk9
 )
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
-    ccache clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev
+    ccache chromium chromium-driver clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev
     jupyter-nbconvert libgmp-dev libgtest-dev libmpfr-dev mypy openmpi-bin python3-ipykernel python3-pil
     poppler-utils valgrind xauth xdotool xvfb
   )

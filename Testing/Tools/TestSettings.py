@@ -22,7 +22,7 @@ import formats  # noqa: E402
 import settings  # noqa: E402
 
 PAGE = ROOT / "Module" / "Documentation" / "options.md"
-COMMANDS = ["info", "probe", "render", "bench", "compare", "integrate", "view"]
+COMMANDS = ["info", "probe", "render", "bench", "compare", "integrate", "view", "serve"]
 
 
 def options_in(text):

@@ -5,7 +5,7 @@ import unittest
 
 from tool import DATA, MIDDLE, ToolTest, case, run, strict_json, unit_cube_grid
 
-COMMANDS = ["info", "probe", "render", "bench", "compare", "integrate", "view"]
+COMMANDS = ["info", "probe", "render", "bench", "compare", "integrate", "view", "serve"]
 
 
 class Help(ToolTest):

@@ -41,4 +41,5 @@ void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& act
 void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddIntegrateCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddViewCommand(CLI::App& program, const CommonOptions& common, Action& action);
+void AddServeCommand(CLI::App& program, const CommonOptions& common, Action& action);
 } // namespace pixelexact

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Serve/ServedScene.h"
+
+#include "Base/Command.h"
+#include "Base/CommandWords.h"
+#include "Base/Report.h"
+#include "Serve/ServedInput.h"
+
+namespace pixelexact
+{
+std::shared_ptr<CLI::App> ParseRender(const std::vector<std::string>& words, RenderOptions& options)
+{
+  CommonOptions ignored;
+  return ParseCommand(words,
+    [&](CLI::App& command)
+    {
+      options.AddTo(command);
+      AddCommonOptions(command, ignored);
+    });
+}
+
+ServedScene::ServedScene(
+  const std::vector<std::string>& words, const std::string& picture, ServedInput& input)
+  : Program(ParseRender(words, options_))
+{
+  options_.Check(picture);
+  const ShotOptions asked = options_.OfPicture();
+  Stopwatch watch;
+  shot_ = Prepare(asked, input.Get(asked.input, asked.field), watch);
+}
+
+ServedScene::~ServedScene() = default;
+} // namespace pixelexact
