@@ -1,0 +1,186 @@
+"""A page with the exact picture, for a notebook or a browser."""
+
+from __future__ import annotations
+
+import atexit
+import base64
+import html
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path as FilePath
+from typing import Any, Optional, Sequence, Union
+
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+
+from ._read import Path, as_high_order
+from ._work import Error
+
+# The picture stays where scripts do not run or the browser does not reach the server.
+_PAGE = """<div id="{id}"><img src="data:image/png;base64,{picture}" width="{width}" height="{height}"
+style="max-width:100%;object-fit:contain" alt="picture of the field"></div>
+<script>
+(() => {{
+  const place = document.getElementById("{id}"), address = "{address}";
+  fetch(address, {{ mode: "no-cors" }}).then(() => {{
+    const frame = document.createElement("iframe");
+    Object.assign(frame, {{ src: address, width: "100%", height: "{height}" }});
+    frame.style.border = "1px solid #ccc";
+    place.replaceChildren(frame);
+  }}, () => {{}});
+}})();
+</script>"""
+
+
+def _tool() -> str:
+    """The program: of this package's installation or build, else on the PATH."""
+    beside = FilePath(__file__).resolve().parents[4] / "bin" / "pixelexact"
+    found = str(beside) if beside.is_file() else shutil.which("pixelexact")
+    if found is None:
+        raise Error(
+            "show: the program pixelexact is neither installed with this package nor on the PATH; "
+            "install it, or use pixelexact.render for a picture"
+        )
+    return found
+
+
+def _words(options: dict[str, Any]) -> list[str]:
+    words = []
+    for name, value in options.items():
+        option = "--" + name.replace("_", "-")
+        if value is True:
+            words.append(option)
+        elif value is not None and value is not False:
+            numbers = isinstance(value, (list, tuple)) or hasattr(value, "tolist")
+            text = ",".join(repr(float(x)) for x in value) if numbers else str(value)
+            words.append(f"{option}={text}")
+    return words
+
+
+def _written(grid: Any, folder: str) -> str:
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+    file = os.path.join(folder, "grid.vtu")
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(file)
+    writer.SetInputData(as_high_order(grid))
+    writer.SetDataModeToBinary()
+    writer.SetHeaderTypeToUInt64()
+    writer.SetCompressorTypeToNone()
+    if writer.Write() != 1:
+        raise Error(f"show: cannot write '{file}'; make room in the folder of temporary files")
+    return file
+
+
+class Shown:
+    """A page that `pixelexact serve` shows. In a notebook it is the page, and a picture of it where
+    the browser does not reach the server.
+
+    address: of the page, with its token. picture: the bytes of a PNG. close() ends the server, as the
+    end of Python does.
+    """
+
+    def __init__(self, address: str, picture: bytes, size: Sequence[int], process: Any, folder: str) -> None:
+        self.address = address
+        self.picture = picture
+        self._size = tuple(size)
+        self._process = process
+        self._folder = folder
+        atexit.register(self.close)
+
+    def close(self) -> None:
+        """Ends the server. The picture stays."""
+        atexit.unregister(self.close)
+        if self._process is not None:
+            self._process.terminate()
+            self._process.wait()
+            self._process.stdout.close()
+            self._process = None
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+    def __enter__(self) -> Shown:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Shown at {self.address}>" if self._process is not None else "<Shown, closed>"
+
+    def _repr_png_(self) -> bytes:
+        return self.picture
+
+    def _repr_html_(self) -> str:
+        width, height = self._size
+        return _PAGE.format(
+            id="pixelexact-" + os.urandom(8).hex(),
+            picture=base64.b64encode(self.picture).decode(),
+            address=html.escape(self.address),
+            width=width,
+            height=height,
+        )
+
+
+def show(
+    grid: Union[Any, Path, Sequence[Path]],
+    field: Optional[str] = None,
+    *,
+    size: Sequence[int] = (900, 600),
+    **options: Any,
+) -> Shown:
+    """A page with the exact picture of a cut, which turns, moves and zooms, with values under the
+    pointer and controls: the program's `serve`, at an address of this machine.
+
+    grid: a vtkUnstructuredGrid, the name of a file, or a list of names (a mesh and its fields, or time
+    steps). A grid is written to a temporary file. field: a field's name or an expression.
+    size: width and height of the page in a notebook, and of its picture, in pixels. options: those of
+    the program's render, with underscores: plane="z=40%", contours=9, edges=True.
+
+    Raises Error, with the program's words, for what it refuses, and where there is no program.
+    """
+    tool = _tool()
+    width, height = (int(side) for side in size)
+    folder = tempfile.mkdtemp(prefix="pixelexact-")
+    process = None
+    try:
+        if isinstance(grid, (str, os.PathLike)):
+            files = [os.fspath(grid)]
+        elif isinstance(grid, vtkUnstructuredGrid):
+            files = [_written(grid, folder)]
+        elif isinstance(grid, (list, tuple)):
+            files = [os.fspath(file) for file in grid]
+        else:
+            raise TypeError(
+                f"show: a grid is a vtkUnstructuredGrid or names of files, not {type(grid).__name__}"
+            )
+        words = _words({"field": field, **options})
+        picture = os.path.join(folder, "picture.png")
+        words_of_picture = [*words, f"--size={width}x{height}", f"--output={picture}", "--quiet"]
+        done = subprocess.run(
+            [tool, "render", *files, *words_of_picture], capture_output=True, text=True, check=False
+        )
+        if done.returncode != 0:
+            raise Error(done.stderr.strip().removeprefix("pixelexact: "))
+        messages = os.path.join(folder, "messages.txt")
+        with open(messages, "wb") as stream:
+            process = subprocess.Popen(
+                [tool, "serve", *files, *words, "--port=0", "--quiet"],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=stream,
+                text=True,
+            )
+        assert process.stdout is not None
+        address = process.stdout.readline().strip()
+        if not address:
+            process.stdout.close()
+            said = FilePath(messages).read_text(encoding="utf-8", errors="replace")
+            raise Error(said.strip().removeprefix("pixelexact: "))
+        return Shown(address, FilePath(picture).read_bytes(), (width, height), process, folder)
+    except BaseException:
+        if process is not None:
+            process.kill()
+            process.wait()
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
