@@ -43,7 +43,7 @@ def latency(server, size):
     with server.connect() as page:
         first, header, size_of = timed(page, exact, size=size)
         print(f"first exact picture     {1000 * first:7.0f} ms  {size_of} bytes, tracing and colours {1000 * header['seconds']:.0f} ms")
-        turns, stops, sizes = [], [], []
+        turns, stops, sizes, traced = [], [], [], []
         for _ in range(20):
             took, header, content = timed(page, frame, turn=[0.05, 0.02])
             if header["exact"]:
@@ -52,8 +52,10 @@ def latency(server, size):
             took, header, content = timed(page, exact, still=True)
             stops.append(took)
             sizes.append(content)
+            traced.append(header["seconds"])
         print(f"turn to coarse picture  {1000 * statistics.median(turns):7.0f} ms")
-        print(f"stop to exact picture   {1000 * statistics.median(stops):7.0f} ms  longest {1000 * max(stops):.0f} ms, {statistics.median(sizes):.0f} bytes")
+        print(f"stop to exact picture   {1000 * statistics.median(stops):7.0f} ms  longest {1000 * max(stops):.0f} ms, "
+              f"{statistics.median(sizes):.0f} bytes, tracing and colours {1000 * statistics.median(traced):.0f} ms")
         hovers = [timed(page, lambda h: h.get("kind") == "hover", hover=[size[0] // 2 + k, size[1] // 2])[0] for k in range(20)]
         print(f"value under the pointer {1000 * statistics.median(hovers):7.1f} ms")
 

@@ -144,6 +144,17 @@ class Pictures(ServeTest):
                 page.wait(is_exact)
         self.assertGreater(coarse, 0)
 
+    def test_exact_pictures_follow_each_change(self):
+        """Also where other messages come while the picture is traced."""
+        page, _ = self.open([900, 700])
+        for round_ in range(12):
+            page.send(turn=[0.1, 0.0])
+            time.sleep(0.05 + 0.01 * round_)
+            page.send(still=True)
+            page.send(hover=[1, 1])
+            time.sleep(0.01)
+            self.assertTrue(page.wait(is_exact))
+
     def test_saved_files_are_those_of_render(self):
         page, _ = self.open([600, 450])
         page.send(set={"--figure": True, "--title": "a figure"}, turn=[0.2, 0.1])

@@ -2,6 +2,7 @@
 #include "Serve/PageServer.h"
 
 #include "Serve/Access.h"
+#include "Serve/SocketOutbox.h"
 
 #include "Core/Base/Error.h"
 
@@ -15,8 +16,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
-#include <deque>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,97 +39,13 @@ constexpr std::array kPageHeaders{ std::pair{ "content-security-policy:",
   std::pair{ "x-content-type-options:", "nosniff" }, std::pair{ "referrer-policy:", "no-referrer" },
   std::pair{ "cache-control:", "no-store" } };
 
-struct Message
-{
-  std::string bytes;
-  bool binary = false;
-};
-
-class SocketOutbox final : public Outbox
-{
-public:
-  explicit SocketOutbox(lws_context* context)
-    : Context(context)
-  {
-  }
-
-  void SendText(std::string text) override
-  {
-    const std::lock_guard lock(Mutex);
-    Overfull = Overfull || Texts.size() >= kMaxTexts;
-    Append(Texts, std::move(text));
-  }
-  void SendFrame(std::string bytes) override
-  {
-    const std::lock_guard lock(Mutex);
-    Frames.clear();
-    Append(Frames, std::move(bytes));
-  }
-  void SendFile(std::string bytes) override
-  {
-    const std::lock_guard lock(Mutex);
-    Overfull = Overfull || !Files.empty();
-    Append(Files, std::move(bytes));
-  }
-
-  /// Returns the next message: texts precede frames.
-  std::optional<Message> Take()
-  {
-    const std::lock_guard lock(Mutex);
-    for (std::deque<std::string>* queue : { &Texts, &Files, &Frames })
-    {
-      if (!queue->empty())
-      {
-        Message next{ std::move(queue->front()), queue != &Texts };
-        queue->pop_front();
-        return next;
-      }
-    }
-    return std::nullopt;
-  }
-  [[nodiscard]] bool IsOverfull()
-  {
-    const std::lock_guard lock(Mutex);
-    return Overfull;
-  }
-  /// The connection has ended.
-  void Detach()
-  {
-    const std::lock_guard lock(Mutex);
-    Context = nullptr;
-    Texts.clear();
-    Frames.clear();
-    Files.clear();
-  }
-
-private:
-  void Append(std::deque<std::string>& queue, std::string bytes)
-  {
-    if (Context != nullptr && !Overfull)
-    {
-      queue.push_back(std::move(bytes));
-    }
-    if (Context != nullptr)
-    {
-      lws_cancel_service(Context);
-    }
-  }
-
-  std::mutex Mutex;
-  lws_context* Context; ///< null: the connection has ended
-  std::deque<std::string> Texts;
-  std::deque<std::string> Frames;
-  std::deque<std::string> Files;
-  bool Overfull = false;
-};
-
 /// A WebSocket.
 struct Connection
 {
   std::shared_ptr<SocketOutbox> outbox;
   std::unique_ptr<PageClient> client;
   std::string received; ///< the parts of an unfinished message
-  Message sending;
+  OutgoingMessage sending;
   std::size_t sent = 0; ///< bytes of `sending`
   bool isSending = false;
   bool isTimed = false; ///< the browser must take what was sent within kPatience
@@ -488,7 +403,7 @@ private:
     }
     if (!connection->isSending)
     {
-      std::optional<Message> next = connection->outbox->Take();
+      std::optional<OutgoingMessage> next = connection->outbox->Take();
       if (!next)
       {
         // The handshake of closing has a time limit of its own.
@@ -502,7 +417,7 @@ private:
       connection->sent = 0;
       connection->isSending = true;
     }
-    Message& message = connection->sending;
+    OutgoingMessage& message = connection->sending;
     const std::size_t count = std::min(kWriteBytes, message.bytes.size() - connection->sent);
     const bool isLast = connection->sent + count == message.bytes.size();
     std::vector<unsigned char> buffer(LWS_PRE + count);

@@ -105,10 +105,14 @@ std::pair<ServedView::Work, ServedView::Clock::time_point> ServedView::Next()
 
 bool ServedView::IsInterrupted()
 {
+  const auto changes = [](const nlohmann::json& message)
+  {
+    return std::ranges::any_of(message.items(),
+      [](const auto& member)
+      { return member.key() != "hover" && member.key() != "still" && member.key() != "save"; });
+  };
   const std::lock_guard lock(Mutex);
-  return Left ||
-    std::ranges::any_of(
-      Waiting, [](const nlohmann::json& message) { return !message.contains("hover"); });
+  return Left || std::ranges::any_of(Waiting, changes);
 }
 
 void ServedView::Changed(bool atOnce)
@@ -380,7 +384,10 @@ void ServedView::DrawExact()
     });
   if (interrupted)
   {
-    return; // the change draws it
+    // The change that interrupted it may be refused.
+    const std::lock_guard lock(Mutex);
+    ExactDue = Clock::now() + kPause;
+    return;
   }
   const DrawnShot drawn(options, shot, std::move(traced));
   const std::vector<ValueRange>& ranges = drawn.GetAppearance().Ranges();
