@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <sstream>
 
@@ -85,8 +86,54 @@ std::string BigEndian(std::uint64_t number, int bytes)
   return text;
 }
 
+/// A chunk of a PNG: length, type, content and their sum (PNG specification, 5.3).
+std::string PngChunk(const std::string& type, const std::string& content)
+{
+  const std::string summed = type + content;
+  const auto sum =
+    crc32(0, reinterpret_cast<const Bytef*>(summed.data()), static_cast<uInt>(summed.size()));
+  return BigEndian(content.size(), 4) + summed + BigEndian(sum, 4);
+}
+
+/// A PNG without texts, in a third of the time of libpng's choice of filters: each row stores the
+/// differences from the pixels to the left.
+std::string EncodePngQuickly(const Image& image, const std::string& file)
+{
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t row = static_cast<std::size_t>(image.width) * channels;
+  std::vector<std::uint8_t> filtered;
+  filtered.reserve((row + 1) * static_cast<std::size_t>(image.height));
+  for (int y = image.height; y-- > 0;)
+  {
+    const std::uint8_t* pixels = &image.pixels[row * static_cast<std::size_t>(y)];
+    filtered.push_back(1); // filter "Sub"
+    filtered.insert(filtered.end(), pixels, pixels + channels);
+    std::transform(pixels + channels, pixels + row, pixels, std::back_inserter(filtered),
+      [](std::uint8_t pixel, std::uint8_t left)
+      { return static_cast<std::uint8_t>(pixel - left); });
+  }
+  uLongf size = compressBound(static_cast<uLong>(filtered.size()));
+  std::string compressed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, filtered.data(),
+        static_cast<uLong>(filtered.size()), 1) != Z_OK)
+  {
+    throw Error("cannot write '" + file + "': zlib failed");
+  }
+  compressed.resize(size);
+  const char color = image.channels == 4 ? 6 : 2;
+  const std::string header = BigEndian(static_cast<std::uint64_t>(image.width), 4) +
+    BigEndian(static_cast<std::uint64_t>(image.height), 4) +
+    std::string{ 8, color, 0, 0, 0 }; // bits, and the only methods that there are
+  return "\x89PNG\r\n\x1a\n" + PngChunk("IHDR", header) + PngChunk("IDAT", compressed) +
+    PngChunk("IEND", {});
+}
+
 std::string EncodePng(const Image& image, const PictureFacts& facts, const std::string& file)
 {
+  if (facts.pngEffort == 1 && facts.texts.empty() && !facts.dpi)
+  {
+    return EncodePngQuickly(image, file);
+  }
   vtkNew<vtkPNGWriter> writer;
   writer->SetCompressionLevel(facts.pngEffort);
   writer->AddText("Software", kPictureMark);
