@@ -199,7 +199,9 @@ SurfaceIntegral IntegratePatches(const IntegralQuestion& question,
     std::vector<ImplicitPolynomial> all = patch.clips;
     std::ranges::copy(clips, std::back_inserter(all));
     const PolynomialSurface surface(patch.surface);
-    const IntegralQuestion part{ question.mesh, question.field, &surface, all, patch.within };
+    IntegralQuestion part{ question.mesh, question.field, &surface, all };
+    part.below = question.below;
+    part.within = patch.within;
     IntegralEffort share = effort;
     // Time that earlier patches did not use is shared among the remaining ones.
     const std::chrono::duration<double> spent = Clock::now() - start;

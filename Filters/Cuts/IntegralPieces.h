@@ -29,7 +29,7 @@ class HighOrderModel;
   vtkImplicitFunction* function);
 
 /// The sum of the integrals over the patches, each clipped by `clips` as well. `question`: its mesh
-/// must be the model's; its cut, clips and box are ignored.
+/// must be the model's; its cut, clips and box are ignored, `below` counts.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT SurfaceIntegral IntegratePatches(
   const IntegralQuestion& question, std::span<const SurfacePatch> patches,
   std::span<const ImplicitPolynomial> clips, const HighOrderModel& model,

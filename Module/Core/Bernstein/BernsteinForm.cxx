@@ -195,7 +195,7 @@ Vec3 BernsteinForm::GridPoint(int i, int j, int k) const
 
 Hull HullOf(std::span<const double> bernstein)
 {
-  const Extremes extremes = ExtremesOf(bernstein);
+  const NumberExtremes extremes = ExtremesOf(bernstein);
   if (extremes.finite)
   {
     return { extremes.least, extremes.most };

@@ -14,11 +14,11 @@ namespace pixelexact::HWY_NAMESPACE
 {
 using Traits = NumberTraits<Lanes>;
 
-Extremes FindExtremes(const double* values, std::size_t count)
+NumberExtremes FindExtremes(const double* values, std::size_t count)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const Lanes zero = Traits::Splat(0.0);
-  Extremes found{ values[0], values[0], true };
+  NumberExtremes found{ values[0], values[0], true };
   Lanes least = Traits::Splat(values[0]);
   Lanes most = least;
   Lanes none = zero; // not zero where something is not finite
@@ -98,14 +98,14 @@ struct Range
     most = Max(most, v);
     none = none + (v - v);
   }
-  [[nodiscard]] HWY_INLINE Extremes Found() const
+  [[nodiscard]] HWY_INLINE NumberExtremes Found() const
   {
     const Lanes zero = Traits::Splat(0.0);
     return { Least(least), Most(most), All(And(none <= zero, none >= zero)) };
   }
 };
 
-Extremes FindDifferences(
+NumberExtremes FindDifferences(
   const double* values, std::size_t size, std::size_t stride, std::size_t block)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
@@ -151,7 +151,7 @@ bool FindExtremesAlong(const double* values, std::size_t size, std::size_t strid
         none += b[i] - b[i];
       }
     }
-    const Extremes found = range.Found();
+    const NumberExtremes found = range.Found();
     none += found.finite ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     least[slice] = found.least < low ? found.least : low;
     most[slice] = found.most > high ? found.most : high;
@@ -198,12 +198,12 @@ HWY_EXPORT(FindExtremesAlong);
 HWY_EXPORT(FindLargestDifference);
 HWY_EXPORT(SumOfMagnitudes);
 
-Extremes ExtremesOf(std::span<const double> values)
+NumberExtremes ExtremesOf(std::span<const double> values)
 {
   return HWY_DYNAMIC_DISPATCH(FindExtremes)(values.data(), values.size());
 }
 
-Extremes DifferencesOf(std::span<const double> values, std::size_t stride, std::size_t block)
+NumberExtremes DifferencesOf(std::span<const double> values, std::size_t stride, std::size_t block)
 {
   return HWY_DYNAMIC_DISPATCH(FindDifferences)(values.data(), values.size(), stride, block);
 }

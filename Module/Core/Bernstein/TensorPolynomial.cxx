@@ -47,7 +47,7 @@ double LargestMagnitude(std::span<const double> coefficients)
   {
     return 0.0;
   }
-  const Extremes extremes = ExtremesOf(coefficients);
+  const NumberExtremes extremes = ExtremesOf(coefficients);
   if (extremes.finite)
   {
     return std::max(-extremes.least, extremes.most);
@@ -161,7 +161,7 @@ Interval EncloseDerivative(const Degrees& degree, int direction,
     return 0.0;
   }
   const std::size_t stride = StrideOf(degree, direction);
-  const Extremes differences =
+  const NumberExtremes differences =
     DifferencesOf(coefficients, stride, stride * static_cast<std::size_t>(n + 1));
   if (!differences.finite)
   {

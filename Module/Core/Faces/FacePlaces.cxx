@@ -14,33 +14,6 @@ namespace
 /// Gauss points of a parameter beyond the order.
 constexpr int kMoreGaussPoints = 2;
 
-struct GaussRule
-{
-  std::vector<double> points; ///< 0 to 1
-  std::vector<double> weights;
-};
-
-GaussRule MakeGaussRule(int count)
-{
-  GaussRule rule;
-  for (const long double z : GaussPoints(count))
-  {
-    long double before = 1.0L;
-    long double now = z;
-    for (int n = 2; n <= count; ++n)
-    {
-      const long double next =
-        ((2.0L * n - 1.0L) * z * now - (n - 1.0L) * before) / static_cast<long double>(n);
-      before = now;
-      now = next;
-    }
-    const long double slope = count * (before - z * now) / (1.0L - z * z);
-    rule.points.push_back(static_cast<double>((1.0L + z) / 2.0L));
-    rule.weights.push_back(static_cast<double>(1.0L / ((1.0L - z * z) * slope * slope)));
-  }
-  return rule;
-}
-
 FacePlaces GaussPlaces(int corners, int count)
 {
   const GaussRule rule = MakeGaussRule(count);
@@ -76,6 +49,27 @@ std::vector<FacePoint> ChebyshevPlaces(int corners, int count)
   return points;
 }
 } // namespace
+
+GaussRule MakeGaussRule(int count)
+{
+  GaussRule rule;
+  for (const long double z : GaussPoints(count))
+  {
+    long double before = 1.0L;
+    long double now = z;
+    for (int n = 2; n <= count; ++n)
+    {
+      const long double next =
+        ((2.0L * n - 1.0L) * z * now - (n - 1.0L) * before) / static_cast<long double>(n);
+      before = now;
+      now = next;
+    }
+    const long double slope = count * (before - z * now) / (1.0L - z * z);
+    rule.points.push_back(static_cast<double>((1.0L + z) / 2.0L));
+    rule.weights.push_back(static_cast<double>(1.0L / ((1.0L - z * z) * slope * slope)));
+  }
+  return rule;
+}
 
 PlacesByOrder::PlacesByOrder(int highestGauss, int highestOrder)
 {

@@ -8,6 +8,15 @@
 
 namespace pixelexact
 {
+/// Gauss-Legendre points of [0, 1], ascending, and their weights, which sum to 1.
+struct GaussRule
+{
+  std::vector<double> points;
+  std::vector<double> weights;
+};
+/// Exact for polynomials of degree 2 count - 1, up to rounding; count >= 1.
+GaussRule MakeGaussRule(int count);
+
 /// Places on a face, and the weights of a quadrature over the unit square or triangle; none where
 /// they are no quadrature.
 struct FacePlaces

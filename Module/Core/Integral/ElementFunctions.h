@@ -25,10 +25,14 @@ struct IntegralQuestion
   const IntegralCut* cut = nullptr; ///< null: faces of elements
   /// The surface counts only where none of these polynomials is positive.
   std::span<const ImplicitPolynomial> clips{};
+  /// The surface counts only where the field, a scalar that is no density, is at most this value.
+  std::optional<double> below{};
   /// A box that holds the part of the surface that counts; none where it is unbounded.
   std::optional<Box3> within{};
 
   [[nodiscard]] int Components() const { return field != nullptr ? field->values.components : 0; }
+  /// Whether the field is an expression.
+  [[nodiscard]] bool IsFunction() const { return field != nullptr && field->function != nullptr; }
   [[nodiscard]] bool HasFlux() const { return Components() == 3; }
   /// The number of integrals: the area, the components, and the flux.
   [[nodiscard]] std::size_t Quantities() const

@@ -13,12 +13,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes are divided at this fraction, not in the middle, where the surfaces of generated meshes
-/// lie.
-constexpr double kDivision = 0.486328125;
-/// Boxes are not subdivided below this width, in the piece's units.
-constexpr double kSmallestBox = 0x1p-40;
-
 /// An integral over a box with a relative error below this is exact up to rounding.
 constexpr double kRounding = 4e-12;
 /// Children that are together wider than this fraction of their parent show no gain. After kStalls
@@ -40,7 +34,14 @@ bool IsRounding(const Sums& sums, const std::vector<double>& magnitudes)
   return true;
 }
 
-/// The direction along which a box's image is longest.
+double WidthOf(const Interval& value)
+{
+  return std::isfinite(value.lower) && std::isfinite(value.upper)
+    ? value.Width()
+    : std::numeric_limits<double>::infinity();
+}
+} // namespace
+
 int LongestSide(ElementFunctions& functions, const PieceBox& box)
 {
   int longest = -1;
@@ -49,7 +50,7 @@ int LongestSide(ElementFunctions& functions, const PieceBox& box)
     functions.Map3(box, 2) };
   for (int d = 0; d < 3; ++d)
   {
-    if (!(box.upper[d] - box.lower[d] > kSmallestBox))
+    if (!(box.upper[d] - box.lower[d] > kSmallestIntegralBox))
     {
       continue;
     }
@@ -67,9 +68,6 @@ int LongestSide(ElementFunctions& functions, const PieceBox& box)
   return longest;
 }
 
-/// The direction along which the cut's first derivatives vary most, the longest of several:
-/// subdivided there, the cut becomes a graph soonest. -1: they vary by no more than their errors,
-/// or the box is too small.
 int MostBentSide(ElementFunctions& functions, const PieceBox& box)
 {
   const BoxPolynomial cut = functions.Cut(box);
@@ -81,7 +79,7 @@ int MostBentSide(ElementFunctions& functions, const PieceBox& box)
     error = std::max(error, slope.error);
     for (int d = 0; d < 3; ++d)
     {
-      const bool wide = box.upper[d] - box.lower[d] > kSmallestBox;
+      const bool wide = box.upper[d] - box.lower[d] > kSmallestIntegralBox;
       bend[static_cast<std::size_t>(d)] += wide ? slope.Variation(d, 1) : 0.0;
     }
   }
@@ -107,14 +105,6 @@ int MostBentSide(ElementFunctions& functions, const PieceBox& box)
   }
   return best;
 }
-
-double WidthOf(const Interval& value)
-{
-  return std::isfinite(value.lower) && std::isfinite(value.upper)
-    ? value.Width()
-    : std::numeric_limits<double>::infinity();
-}
-} // namespace
 
 double CutTolerance(ElementFunctions& functions, const PieceBox& box)
 {
@@ -335,7 +325,8 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
       Parts.push_back({ found.box, sums, magnitudes, -1, true });
       return;
     }
-    const bool wide = found.box.upper[direction] - found.box.lower[direction] > kSmallestBox;
+    const bool wide =
+      found.box.upper[direction] - found.box.lower[direction] > kSmallestIntegralBox;
     Parts.push_back({ found.box, sums, magnitudes,
       wide ? direction : LongestSide(functions, found.box), true, anyRange });
   }
@@ -399,7 +390,8 @@ bool ElementIntegral::Refine(
     PieceBox lower = part.box;
     PieceBox upper = part.box;
     const int d = part.direction;
-    const double middle = part.box.lower[d] + kDivision * (part.box.upper[d] - part.box.lower[d]);
+    const double middle =
+      part.box.lower[d] + kBoxDivision * (part.box.upper[d] - part.box.lower[d]);
     lower.upper[d] = middle;
     upper.lower[d] = middle;
     const std::size_t first = Parts.size();
@@ -414,7 +406,8 @@ bool ElementIntegral::Refine(
       resolved = resolved && Parts[k].resolved;
     }
     // Rims of clips gain in another direction than the surface does, and kinks need two directions.
-    if (resolved && std::isfinite(bad) && Question.clips.empty() && !part.anyRange)
+    if (resolved && std::isfinite(bad) && Question.clips.empty() && !Question.below &&
+      !part.anyRange)
     {
       NoteGain(first, part.stalled, bad, after);
     }

@@ -9,6 +9,18 @@
 
 namespace pixelexact
 {
+/// Boxes are divided at this fraction, not in the middle, where the surfaces of generated meshes
+/// lie.
+inline constexpr double kBoxDivision = 0.486328125;
+/// Boxes are not subdivided below this width, in the piece's units.
+inline constexpr double kSmallestIntegralBox = 0x1p-40;
+/// The direction along which a box's image is longest; -1: the box is too small.
+int LongestSide(ElementFunctions& functions, const PieceBox& box);
+/// The direction along which the cut's first derivatives vary most, the longest of several:
+/// subdivided there, the cut becomes a graph soonest. -1: they vary by no more than their errors,
+/// or the box is too small.
+int MostBentSide(ElementFunctions& functions, const PieceBox& box);
+
 /// The integrals over the part of a cut-surface in one element, as sums over boxes with enclosures.
 /// Refine subdivides the boxes with the largest errors.
 class ElementIntegral

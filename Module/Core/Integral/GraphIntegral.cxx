@@ -4,6 +4,7 @@
 #include "Core/Bernstein/BoxAlgebra.h"
 #include "Core/Integral/BoxRanges.h"
 #include "Core/Integral/IntegralCut.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,31 @@ std::optional<ChebyshevModel> Solve(
   return x.TightRange().Magnitude() <= BoxModel::kReach ? std::optional(x) : std::nullopt;
 }
 
+/// The components of the field in world units. Their errors are infinite where a mapped field
+/// divides by a det J that may vanish.
+std::vector<ChebyshevModel> WorldValues(
+  const ElementFunctions& functions, const SurfaceModels& models)
+{
+  const Mapping mapping = functions.Question().field->mapping;
+  const double unit = std::ldexp(1.0, functions.FieldExponent());
+  std::vector<ChebyshevModel> values = models.field;
+  if (mapping != Mapping::Identity)
+  {
+    const WeighedField field = Weigh(models, mapping);
+    const ChebyshevModel inverse = Reciprocal(models.determinant);
+    const Interval power(std::pow(functions.Radius(), field.power - 3));
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      values[k] = ChebyshevModel(power) * (field.values[k] * inverse);
+    }
+  }
+  for (ChebyshevModel& value : values)
+  {
+    value = unit * value;
+  }
+  return values;
+}
+
 /// The zero of an affine form along one variable, as a function of the models of the other ones.
 ChebyshevModel RootOf(const AffineForm& f, const std::array<int, 3>& axes, std::size_t variable,
   const std::array<ChebyshevModel, 3>& others)
@@ -89,6 +115,59 @@ public:
 
   std::optional<GraphSums> Run()
   {
+    const auto found = Parametrise();
+    if (!found)
+    {
+      return std::nullopt;
+    }
+    const auto part = ClippedPart(Functions, Graph.box, Graph.axes, found->place);
+    if (!part)
+    {
+      return std::nullopt;
+    }
+    if (part->IsEmpty())
+    {
+      const std::size_t quantities = Functions.Question().Quantities();
+      return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0], false };
+    }
+    SurfaceModels models(Functions, Graph.box, Graph.axes, found->place, Graph.box);
+    const Interval slopes = found->slope.Range();
+    const double sign = TakeMagnitude(models.determinant);
+    if (!std::isfinite(models.determinant.error))
+    {
+      return std::nullopt;
+    }
+    const ChebyshevModel weight = (slopes.lower > 0.0 ? 1.0 : -1.0) *
+      (found->half * Reciprocal(found->place.Of(found->slope)) * Collapses(found->b, found->c));
+    return Sum(models, found->place, *part, weight, sign);
+  }
+
+  std::optional<SurfaceValues> Values()
+  {
+    const auto found = Parametrise();
+    if (!found)
+    {
+      return std::nullopt;
+    }
+    const auto& axes = Graph.axes;
+    const SurfaceModels models(Functions, Graph.box, axes, found->place, Graph.box);
+    return SurfaceValues{ WorldValues(Functions, models),
+      EtaModels(Functions, Graph.box, axes, found->b, found->c),
+      ClipModels(Functions, Graph.box, axes, found->place), { axes[0], axes[1] } };
+  }
+
+private:
+  /// The graph's parameters: b(s, t), c(s, t), half of the extent of b, and the cut's slope by c.
+  struct Parameters
+  {
+    ChebyshevModel b;
+    ChebyshevModel c;
+    ChebyshevModel half;
+    PointedModels place;
+    BoxModel slope;
+  };
+  std::optional<Parameters> Parametrise()
+  {
     const auto& axes = Graph.axes;
     const BoxPolynomial cut = Functions.Cut(Graph.box);
     const auto low = Limit(cut, Graph.low, -1.0);
@@ -111,30 +190,9 @@ public:
     {
       return std::nullopt;
     }
-    const PointedModels place = placed(*c);
-    const auto part = ClippedPart(Functions, Graph.box, axes, place);
-    if (!part)
-    {
-      return std::nullopt;
-    }
-    if (part->IsEmpty())
-    {
-      const std::size_t quantities = Functions.Question().Quantities();
-      return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0], false };
-    }
-    SurfaceModels models(Functions, Graph.box, axes, place, Graph.box);
-    const Interval slopes = slope.Range();
-    const double sign = TakeMagnitude(models.determinant);
-    if (!std::isfinite(models.determinant.error))
-    {
-      return std::nullopt;
-    }
-    const ChebyshevModel weight =
-      (slopes.lower > 0.0 ? 1.0 : -1.0) * (half * Reciprocal(place.Of(slope)) * Collapses(b, *c));
-    return Sum(models, place, *part, weight, sign);
+    return Parameters{ b, *c, half, placed(*c), slope };
   }
 
-private:
   /// Widens det J so that, times the returned sign, it holds |det J|. Where det J may have either
   /// sign by more than rounding (at a collapsed edge it vanishes), only integrals with the factor
   /// |det J| are known; others get an infinite error.
@@ -279,6 +337,27 @@ private:
 std::optional<GraphSums> Integrate(ElementFunctions& functions, const CutGraph& graph)
 {
   return GraphTask(functions, graph).Run();
+}
+
+std::optional<SurfaceValues> ValuesOn(ElementFunctions& functions, const CutGraph& graph)
+{
+  return GraphTask(functions, graph).Values();
+}
+
+SurfaceValues ValuesOnFace(ElementFunctions& functions, int face, const PieceBox& box)
+{
+  const ShapeFace& end = FacesOf(functions.GetShape())[static_cast<std::size_t>(face)];
+  const std::array<int, 3> axes{ (end.direction + 1) % 3, (end.direction + 2) % 3, end.direction };
+  // The box takes the piece's whole thickness, for the model at its end.
+  PieceBox thick = box;
+  thick.lower[end.direction] = -1.0;
+  thick.upper[end.direction] = 1.0;
+  const ChebyshevModel c(end.upper ? 1.0 : -1.0);
+  const PointedModels place(c);
+  const SurfaceModels models(functions, thick, axes, place, box);
+  return { WorldValues(functions, models),
+    EtaModels(functions, thick, axes, ChebyshevModel::Second(), c),
+    ClipModels(functions, thick, axes, place), { axes[0], axes[1] } };
 }
 
 } // namespace pixelexact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Integral/Integrand.h"
 
+#include <cmath>
+
 namespace pixelexact
 {
 SurfaceModels::SurfaceModels(ElementFunctions& functions, const PieceBox& box,
@@ -95,7 +97,7 @@ std::array<ChebyshevModel, 3> PlaceModels(ElementFunctions& functions, const Pie
   return z;
 }
 
-std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const PieceBox& box,
+std::vector<ChebyshevModel> ClipModels(ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const PointedModels& place)
 {
   std::vector<ChebyshevModel> clips;
@@ -107,7 +109,18 @@ std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const Piec
       clips.push_back(place.Of(BoxModel(clip, axes, place.IsWideB())));
     }
   }
-  return ClippedSquare::Of(clips);
+  if (const auto& below = functions.Question().below)
+  {
+    const ChebyshevModel value = functions.Values(box, axes, place, box).front();
+    clips.push_back(value - ChebyshevModel(std::ldexp(*below, -functions.FieldExponent())));
+  }
+  return clips;
+}
+
+std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place)
+{
+  return ClippedSquare::Of(ClipModels(functions, box, axes, place));
 }
 
 bool IsClippedOff(ElementFunctions& functions, const PieceBox& box)
@@ -119,7 +132,9 @@ bool IsClippedOff(ElementFunctions& functions, const PieceBox& box)
       return true;
     }
   }
-  return false;
+  const auto& below = functions.Question().below;
+  return below &&
+    functions.ValueRanges(box).front().lower > std::ldexp(*below, -functions.FieldExponent());
 }
 
 ChebyshevModel Collapse(const ChebyshevModel& eta)

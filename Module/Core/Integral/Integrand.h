@@ -45,6 +45,9 @@ std::array<ChebyshevModel, 3> EtaModels(const ElementFunctions& functions, const
 /// The models of z = x - origin.
 std::array<ChebyshevModel, 3> PlaceModels(ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const PointedModels& place, const Vec3& origin);
+/// The clips over a parametrised surface, without those that clip nothing of the box.
+std::vector<ChebyshevModel> ClipModels(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place);
 /// The part of (s, t) that the question's clips leave. None where it cannot be classified on so
 /// large a box.
 std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const PieceBox& box,

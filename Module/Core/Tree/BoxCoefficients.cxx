@@ -16,7 +16,7 @@ namespace
 {
 double LargestOf(std::span<const double> values)
 {
-  const Extremes extremes = ExtremesOf(values);
+  const NumberExtremes extremes = ExtremesOf(values);
   return extremes.finite ? std::max(-extremes.least, extremes.most)
                          : std::numeric_limits<double>::infinity();
 }
@@ -37,7 +37,7 @@ std::span<const double> BoxCoefficients::Of(std::size_t function) const
 
 Interval BoxCoefficients::HullOf(std::size_t function) const
 {
-  const Extremes extremes = ExtremesOf(Of(function));
+  const NumberExtremes extremes = ExtremesOf(Of(function));
   return extremes.finite && error[function] < std::numeric_limits<double>::infinity()
     ? rounding::Outward(extremes.least - error[function], extremes.most + error[function])
     : Interval::Everything();
