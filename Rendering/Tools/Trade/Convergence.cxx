@@ -3,7 +3,7 @@
 
 #include "Base/Csv.h"
 #include "Base/Report.h"
-#include "Drawing/LogPlot.h"
+#include "Drawing/Plot.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -162,7 +162,8 @@ std::vector<std::uint8_t> Convergence::Draw(
   const std::string& reference, int width, int height) const
 {
   const bool overLength = axis_ == SeriesAxis::Length;
-  LogPlot plot;
+  Plot plot;
+  plot.logarithmic = { true, true };
   plot.title = "Differences from " + reference + " over the pixels";
   plot.up = "difference; order of convergence in the legend";
   plot.across = overLength ? "edge of an element over that of the mesh"
@@ -172,8 +173,8 @@ std::vector<std::uint8_t> Convergence::Draw(
   for (const auto& [name, error, color] : kErrors)
   {
     const auto order = OrderOf(error);
-    LogPlot::Series series{ order ? fmt::format("{}: {:.2f}", name, order->overall) : name, color,
-      {}, true, false };
+    Plot::Series series{ order ? fmt::format("{}: {:.2f}", name, order->overall) : name, color, {},
+      true, false };
     for (const SeriesRow& row : rows_)
     {
       const bool labelled = error == &DifferenceNumbers::largest;
@@ -188,7 +189,7 @@ std::vector<std::uint8_t> Convergence::Draw(
     [](const SeriesRow& row) { return row.numbers.largestBound > kNearBound * row.numbers.mean; });
   if (near)
   {
-    LogPlot::Series bound{ "proven bound", { 120, 120, 120, 255 }, {}, true, true };
+    Plot::Series bound{ "proven bound", { 120, 120, 120, 255 }, {}, true, true };
     for (const SeriesRow& row : rows_)
     {
       bound.points.push_back({ at(row), row.numbers.largestBound, {} });

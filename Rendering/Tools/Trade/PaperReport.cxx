@@ -4,7 +4,7 @@
 #include "Base/Output.h"
 #include "Base/Report.h"
 #include "Drawing/ImageFile.h"
-#include "Drawing/LogPlot.h"
+#include "Drawing/Plot.h"
 
 #include "Core/Base/Error.h"
 
@@ -55,9 +55,10 @@ bool IsMemory(const PaperRow& row)
   return row.bytes >= 0.0;
 }
 
-LogPlot PlotOf(const Figure& figure, const PaperResults& results)
+Plot PlotOf(const Figure& figure, const PaperResults& results)
 {
-  LogPlot plot;
+  Plot plot;
+  plot.logarithmic = { true, true };
   plot.title = fmt::format("Figure {}: {}", figure.name, figure.title);
   plot.across = figure.across;
   plot.up = "seconds";
@@ -119,7 +120,7 @@ void WritePaper(const std::string& folder, const PaperResults& results)
   constexpr int kHeight = 500;
   for (const Figure& figure : kFigures)
   {
-    const LogPlot plot = PlotOf(figure, results);
+    const Plot plot = PlotOf(figure, results);
     if (!plot.series.empty())
     {
       const std::string file = in(fmt::format("figure-{}.png", figure.name));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Report.h"
-#include "Drawing/LogPlot.h"
+#include "Drawing/Plot.h"
 #include "Trade/TradeReport.h"
 
 #include <fmt/format.h>
@@ -48,14 +48,14 @@ std::string LabelOf(const TradeSetting& setting)
 std::vector<std::uint8_t> DrawPareto(
   const std::vector<TradeRow>& rows, const TradeFacts& facts, int width, int height)
 {
-  LogPlot plot;
+  Plot plot;
+  plot.logarithmic = { true, true };
   plot.title = fmt::format("Error of {} % of the pixels against time", Short(100.0 * facts.share));
   plot.up = "error over the range";
   plot.across = facts.ofNext ? "seconds of a later cut" : "seconds to the first picture";
   for (const TradeFamily family : kFamilies)
   {
-    LogPlot::Series series{ Name(family), ColorOf(family), {}, family != TradeFamily::Exact,
-      false };
+    Plot::Series series{ Name(family), ColorOf(family), {}, family != TradeFamily::Exact, false };
     for (const TradeRow& row : rows)
     {
       if (row.setting.family == family && row.IsThere() && HasOwnValues(row.setting))
@@ -75,13 +75,14 @@ std::vector<std::uint8_t> DrawPareto(
 std::vector<std::uint8_t> DrawConvergence(
   const std::vector<TradeRow>& rows, const TradeFacts& facts, int width, int height)
 {
-  LogPlot plot;
+  Plot plot;
+  plot.logarithmic = { true, true };
   plot.title = "Mean error of linear pictures against the exact one";
   plot.up = "mean error over the range";
   plot.across = "spacing over the first one's";
   for (const TradeFamily family : kFamilies)
   {
-    LogPlot::Series series{ Name(family), ColorOf(family), {}, true, false };
+    Plot::Series series{ Name(family), ColorOf(family), {}, true, false };
     for (const TradeRow& row : rows)
     {
       if (row.setting.family == family && row.setting.spacing > 0.0 && row.IsThere() &&
@@ -96,19 +97,19 @@ std::vector<std::uint8_t> DrawConvergence(
       continue;
     }
     double widest = 0.0;
-    for (const LogPlot::Point& point : series.points)
+    for (const Plot::Point& point : series.points)
     {
       widest = std::max(widest, point.x);
     }
-    for (LogPlot::Point& point : series.points)
+    for (Plot::Point& point : series.points)
     {
       point.x /= widest;
     }
     const bool isFirst = plot.series.empty();
-    LogPlot::Series second{ isFirst ? "2nd order" : "", { 130, 130, 130, 255 }, {}, true, true };
-    for (const LogPlot::Point& point : series.points)
+    Plot::Series second{ isFirst ? "2nd order" : "", { 130, 130, 130, 255 }, {}, true, true };
+    for (const Plot::Point& point : series.points)
     {
-      const LogPlot::Point& last = series.points.back();
+      const Plot::Point& last = series.points.back();
       second.points.push_back({ point.x, last.y * std::pow(point.x / last.x, 2.0), "" });
     }
     plot.series.push_back(std::move(series));
