@@ -4,6 +4,7 @@
 #include "Conversion/ModelSource.h"
 #include "Cuts/IntegralPieces.h"
 #include "Cuts/IntegralRows.h"
+#include "Cuts/SurfaceStatistics.h"
 #include "HighOrderModel.h"
 
 #include "Core/Base/Error.h"
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <string>
 
 vtkStandardNewMacro(vtkHighOrderIntegrate);
 
@@ -34,6 +37,9 @@ const Field* FieldOrNull(const HighOrderModel& model, const std::string& name)
   }
   return model.Fields().empty() ? nullptr : &model.Fields().front();
 }
+
+/// As the property's.
+constexpr double kDefaultTolerance = 1e-8;
 
 void ToTable(const std::vector<IntegralRow>& rows, vtkTable* table)
 {
@@ -65,6 +71,7 @@ void ToTable(const std::vector<IntegralRow>& rows, vtkTable* table)
 vtkHighOrderIntegrate::vtkHighOrderIntegrate()
   : MeshFilter(MeshScope::WholeOnFirst)
 {
+  this->vtkHighOrderIntegrate::ResetReport();
 }
 
 vtkHighOrderIntegrate::~vtkHighOrderIntegrate() = default;
@@ -88,6 +95,15 @@ void vtkHighOrderIntegrate::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FieldName: " << this->FieldName << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Seconds: " << this->Seconds << "\n";
+  os << indent << "Norms: " << this->Norms << "\n";
+  os << indent << "Extremes: " << this->Extremes << "\n";
+  os << indent << "StatisticsClasses: " << this->StatisticsClasses << "\n";
+  os << indent << "CorrelateWith: " << this->CorrelateWith << "\n";
+  for (int d = 0; d < 3; ++d)
+  {
+    os << indent << "MinimumPoint " << d << ": " << this->MinimumPoint[d] << "\n";
+    os << indent << "MaximumPoint " << d << ": " << this->MaximumPoint[d] << "\n";
+  }
   os << indent << "ToleranceMet: " << this->ToleranceMet << "\n";
   os << indent << "UnresolvedArea: " << this->UnresolvedArea << "\n";
 }
@@ -184,6 +200,8 @@ void vtkHighOrderIntegrate::ResetReport()
 {
   this->ToleranceMet = false;
   this->UnresolvedArea = 0.0;
+  std::fill_n(this->MinimumPoint, 3, std::numeric_limits<double>::quiet_NaN());
+  std::fill_n(this->MaximumPoint, 3, std::numeric_limits<double>::quiet_NaN());
 }
 
 std::vector<ImplicitPolynomial> vtkHighOrderIntegrate::ClipsFor(vtkDataObject* /*mesh*/)
@@ -215,40 +233,60 @@ bool vtkHighOrderIntegrate::Make(vtkDataObject* mesh, vtkTable* output)
   {
     model->RequireSolids("an integral over a cut");
   }
-  IntegralQuestion question{ model->GetMesh(),
-    FieldOrNull(*model, ChosenName(this, this->FieldName)), nullptr };
+  const Field* const field = FieldOrNull(*model, ChosenName(this, this->FieldName));
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);
   const auto clips =
     over == OverCutFunction ? std::vector<ImplicitPolynomial>() : this->ClipsFor(mesh);
-  SurfaceIntegral found;
-  if (over == OverCutFunction)
+  const auto patches =
+    over == OverCutFunction ? this->PatchesFor(mesh) : std::vector<SurfacePatch>();
+  std::optional<IsoValueSurface> iso;
+  if (over == OverIsoSurface)
   {
-    found = IntegratePatches(question, this->PatchesFor(mesh), {}, *model, effort);
-  }
-  else if (over == OverIsoSurface)
-  {
-    const Field* const field = FieldOrNull(*model, this->IsoFieldName);
-    if (field == nullptr)
+    const Field* const ofIso = FieldOrNull(*model, this->IsoFieldName);
+    if (ofIso == nullptr)
     {
       throw InvalidData("there is no field to take an iso-surface of.");
     }
-    const IsoValueSurface iso(*field, this->IsoComponent, this->IsoValue);
-    question.cut = &iso;
-    question.clips = clips;
-    found = IntegrateCut(question, model->GetLocator(), model->Faces(), effort);
+    iso.emplace(*ofIso, this->IsoComponent, this->IsoValue);
   }
-  else
+  const SurfaceDomain domain = over == OverCutFunction ? DomainOfPatches(patches, {}, *model)
+    : iso                                              ? DomainOfCut(*iso, clips, *model)
+          : DomainOfBoundary(this->Attributes, clips, *model);
+  const SurfaceIntegral found = domain.integrate(field, effort, std::nullopt);
+  std::vector<IntegralRow> rows = RowsOf({ model->GetMesh(), field, nullptr }, found);
+  std::string doubts;
+  StatisticsRequest request{ this->Norms, this->Extremes, this->StatisticsClasses,
+    this->CorrelateWith, effort, this->Tolerance != kDefaultTolerance };
+  if (!request.IsEmpty())
   {
-    question.clips = clips;
-    found = IntegrateBoundary(question, this->Attributes, *model, effort);
+    if (field == nullptr)
+    {
+      throw InvalidData(
+        "the grid has no field; norms, extremes and statistics are those of a field.");
+    }
+    this->UpdateProgress(0.5);
+    const SurfaceStatistics more = FindStatistics(*model, field->name, domain, found, request);
+    rows.insert(rows.end(), more.rows.begin(), more.rows.end());
+    for (std::size_t k = 0; k < more.histogram.size(); ++k)
+    {
+      rows.push_back({ "Class " + std::to_string(k + 1), more.histogram[k].part });
+    }
+    for (int d = 0; d < 3 && more.extremes; ++d)
+    {
+      this->MinimumPoint[d] = more.extremes->extremes.minimum.x[d];
+      this->MaximumPoint[d] = more.extremes->extremes.maximum.x[d];
+    }
+    for (const std::string& note : more.notes)
+    {
+      doubts += note + "\n";
+    }
   }
   this->UpdateProgress(0.9);
-  ToTable(RowsOf(question, found), output);
+  ToTable(rows, output);
   this->ToleranceMet = found.met;
   this->UnresolvedArea = found.unresolved;
-  std::string doubts;
   for (const std::string& doubt : DoubtsOf(found, this->Tolerance))
   {
     doubts += doubt + "\n";

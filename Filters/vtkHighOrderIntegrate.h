@@ -137,6 +137,33 @@ public:
 
   ///@{
   /**
+   * More rows of the table, with proven bounds: `L1`, `L2` and `Linf`; `Minimum` and `Maximum` (of
+   * vectors of the magnitude); `Variance`, `Deviation` and `Quantile 0.05`, ... by area, and
+   * `Class 1`, ..., the parts of the area in classes of equal width between minimum and maximum;
+   * the `Correlation` by area with another scalar. None by default.
+   */
+  vtkSetMacro(Norms, bool);
+  vtkGetMacro(Norms, bool);
+  vtkBooleanMacro(Norms, bool);
+  vtkSetMacro(Extremes, bool);
+  vtkGetMacro(Extremes, bool);
+  vtkBooleanMacro(Extremes, bool);
+  vtkSetClampMacro(StatisticsClasses, int, 0, 1000);
+  vtkGetMacro(StatisticsClasses, int);
+  vtkSetMacro(CorrelateWith, std::string);
+  vtkGetMacro(CorrelateWith, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Where the last update found the minimum and the maximum; NaN where it did not look for them.
+   */
+  vtkGetVector3Macro(MinimumPoint, double);
+  vtkGetVector3Macro(MaximumPoint, double);
+  ///@}
+
+  ///@{
+  /**
    * Results of the last update: whether the tolerance was met; a bound of the area that is missing.
    */
   vtkGetMacro(ToleranceMet, bool);
@@ -176,6 +203,12 @@ private:
   std::string FieldName;
   double Tolerance = 1e-8;
   double Seconds = 0.0;
+  bool Norms = false;
+  bool Extremes = false;
+  int StatisticsClasses = 0;
+  std::string CorrelateWith;
+  double MinimumPoint[3] = { 0.0, 0.0, 0.0 };
+  double MaximumPoint[3] = { 0.0, 0.0, 0.0 };
   bool ToleranceMet = false;
   double UnresolvedArea = 0.0;
 };

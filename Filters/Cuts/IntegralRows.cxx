@@ -22,6 +22,8 @@ std::string Counted(std::int64_t count, const std::string& thing)
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
+} // namespace
+
 std::vector<ElementFace> BoundaryOf(
   const HighOrderModel& model, std::span<const std::int32_t> attributes)
 {
@@ -55,7 +57,6 @@ std::vector<ElementFace> BoundaryOf(
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
 }
-} // namespace
 
 double IntegralRow::Middle() const
 {

@@ -33,6 +33,12 @@ struct IntegralRow
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<std::string> DoubtsOf(
   const SurfaceIntegral& found, double tolerance);
 
+/// The faces of the mesh's boundary with these attributes, in ascending order; without attributes
+/// the whole boundary, with faces that other elements cover partly. Throws InvalidData for an
+/// attribute that does not exist.
+[[nodiscard]] std::vector<ElementFace> BoundaryOf(
+  const HighOrderModel& model, std::span<const std::int32_t> attributes);
+
 /// Integrates over the faces of the mesh's boundary with these attributes. Without attributes it
 /// integrates over the whole boundary, where partly covered faces count whole. `question`: its mesh
 /// must be the model's; its cut is ignored. Throws InvalidData for an attribute that does not

@@ -32,6 +32,7 @@ CLASSES = [
     "vtkHighOrderLinearCut",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",
+    "vtkHighOrderNorms",
     "vtkHighOrderPack",
     "vtkHighOrderPatchSurface",
     "vtkHighOrderPicker",

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Command.h"
 #include "Base/Numbers.h"
+#include "Base/Output.h"
 #include "Base/Report.h"
 #include "Commands/CertifiedFacts.h"
 #include "Commands/ExtremeFacts.h"
 #include "Commands/JumpFacts.h"
+#include "Commands/NormFacts.h"
 #include "Commands/WarpFacts.h"
 #include "Input/Input.h"
 #include "Input/OrderCounts.h"
@@ -39,6 +41,8 @@ struct InfoOptions
   std::vector<std::string> certified;   ///< fields and expressions; none: all fields
   std::vector<std::string> extremes;    ///< fields and expressions
   std::vector<std::string> jumps;       ///< fields and expressions
+  std::vector<std::string> norms;       ///< fields and expressions
+  std::string normTable;                ///< file; empty: none
   std::optional<WarpRequest> warpLimit; ///< the displacement of which a limit is sought
 };
 
@@ -66,6 +70,7 @@ struct Facts
   std::optional<CertifiedFacts> certified; ///< on request
   std::optional<ExtremeFacts> extremes;    ///< on request
   std::optional<JumpFacts> jumps;          ///< on request
+  std::optional<NormFacts> norms;          ///< on request
   std::optional<WarpFacts> warp;           ///< on request
 };
 
@@ -256,6 +261,10 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     AddTo(table, *facts.jumps);
   }
+  if (facts.norms)
+  {
+    AddTo(table, input, *facts.norms);
+  }
   if (facts.warp)
   {
     AddTo(table, *facts.warp);
@@ -322,6 +331,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   {
     AddTo(summary, *facts.jumps);
   }
+  if (facts.norms)
+  {
+    AddTo(summary, input, *facts.norms);
+  }
   if (facts.warp)
   {
     AddTo(summary, *facts.warp);
@@ -338,6 +351,11 @@ void Info(const InfoOptions& options, const CommonOptions& common)
   {
     throw UsageError("--warp-direction has no effect without --warp or --warp-limit; leave it out");
   }
+  if (!options.normTable.empty())
+  {
+    CheckStandardOutput({ options.normTable }, common.json);
+    CheckOutput("--norms-table", options.normTable, options.input.files);
+  }
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, {}, stopwatch);
   Facts facts = Gather(input);
@@ -352,6 +370,14 @@ void Info(const InfoOptions& options, const CommonOptions& common)
   if (!options.jumps.empty())
   {
     facts.jumps = FindJumpFacts(input, options.jumps);
+  }
+  if (!options.norms.empty())
+  {
+    facts.norms = FindNormFacts(input, options.norms);
+    if (!options.normTable.empty())
+    {
+      WriteNorms(options.normTable, input, *facts.norms);
+    }
   }
   if (options.warpLimit)
   {
@@ -381,6 +407,8 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
   Bind(command, "--extremes",
     [options](const std::string& name) { options->extremes.push_back(name); });
   Bind(command, "--jumps", [options](const std::string& name) { options->jumps.push_back(name); });
+  Bind(command, "--norms", [options](const std::string& name) { options->norms.push_back(name); });
+  Bind(command, "--norms-table", options->normTable);
   Bind(command, "--warp-limit",
     [options](const std::string& text)
     { ReadWarp("--warp-limit", text, options->warpLimit.emplace()); });

@@ -3,8 +3,10 @@
 #include "Base/Options.h"
 #include "Base/Report.h"
 #include "Commands/IntegralSurfaces.h"
+#include "Commands/ValuePlots.h"
 #include "Cuts/IntegralPieces.h"
 #include "Cuts/IntegralRows.h"
+#include "Cuts/SurfaceStatistics.h"
 #include "Input/Input.h"
 #include "Scene/Model.h"
 #include "Trade/LinearContours.h"
@@ -34,6 +36,9 @@ struct IntegrateOptions
   std::optional<double> tolerance;
   std::optional<double> seconds;
   int linear = -1; ///< level; -1: none
+  StatisticsRequest statistics;
+  PlotOptions plot;
+  std::string plotQuantity = "Integral";
 
   [[nodiscard]] IntegralEffort Effort() const
   {
@@ -41,6 +46,13 @@ struct IntegrateOptions
     effort.tolerance = tolerance.value_or(effort.tolerance);
     effort.seconds = seconds.value_or(effort.seconds);
     return effort;
+  }
+  [[nodiscard]] StatisticsRequest Statistics() const
+  {
+    StatisticsRequest request = statistics;
+    request.effort = Effort();
+    request.isToleranceGiven = tolerance.has_value();
+    return request;
   }
 };
 
@@ -51,39 +63,51 @@ struct Answer
   SurfaceIntegral found;
   std::vector<IntegralRow> rows;
   std::optional<LinearIntegral> linear;
+  SurfaceStatistics more;
 };
 
 Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Field* field,
   const IntegrateOptions& options)
 {
   const HighOrderModel& model = *input.model;
-  IntegralQuestion question{ model.GetMesh(), field, nullptr };
-  Answer answer{ surface.name, {}, {}, std::nullopt };
+  Answer answer{ surface.name, {}, {}, std::nullopt, {} };
   const std::vector<ImplicitPolynomial> clips = options.surfaces.Clips();
-  question.clips = clips;
+  std::optional<IsoValueSurface> cut;
   if (surface.iso)
   {
     const IsoChoice iso = Resolve(*surface.iso, model);
-    const IsoValueSurface cut(model.GetField(iso.field), iso.component, iso.value);
-    question.cut = &cut;
-    answer.found = IntegrateCut(question, model.GetLocator(), model.Faces(), options.Effort());
-    question.cut = nullptr;
+    cut.emplace(model.GetField(iso.field), iso.component, iso.value);
   }
-  else if (surface.boundary)
+  const SurfaceDomain domain = cut ? DomainOfCut(*cut, clips, model)
+    : surface.boundary             ? DomainOfBoundary(surface.attributes, clips, model)
+                                   : DomainOfPatches(surface.patches, clips, model);
+  answer.found = domain.integrate(field, options.Effort(), std::nullopt);
+  answer.rows = RowsOf({ model.GetMesh(), field, nullptr }, answer.found);
+  if (!options.statistics.IsEmpty())
   {
-    answer.found = IntegrateBoundary(question, surface.attributes, model, options.Effort());
+    if (field == nullptr)
+    {
+      throw Error(
+        "the input has no field; norms, extremes and statistics are those of a field: name "
+        "its file, or an expression with --field");
+    }
+    answer.more = FindStatistics(model, field->name, domain, answer.found, options.Statistics());
+    answer.rows.insert(answer.rows.end(), answer.more.rows.begin(), answer.more.rows.end());
   }
-  else
-  {
-    answer.found = IntegratePatches(question, surface.patches, clips, model, options.Effort());
-  }
-  answer.rows = RowsOf(question, answer.found);
   if (options.linear >= 0)
   {
     answer.linear = IntegrateLinearly(
       input.grid, surface.function, field != nullptr ? field->name : "", options.linear);
   }
   return answer;
+}
+
+/// The notes of a report: parts that are left out, and numbers that are not proven.
+std::vector<std::string> AnswerNotes(const Answer& answer, double tolerance)
+{
+  std::vector<std::string> notes = DoubtsOf(answer.found, tolerance);
+  notes.insert(notes.end(), answer.more.notes.begin(), answer.more.notes.end());
+  return notes;
 }
 
 /// The linear pipeline's value of a quantity; none where it has none.
@@ -96,13 +120,17 @@ std::optional<double> LinearOf(const Answer& answer, const std::string& quantity
   const LinearIntegral& linear = *answer.linear;
   const auto number = quantity.find(' ');
   const std::string kind = quantity.substr(0, number);
-  const std::size_t component =
-    number == std::string::npos ? 0 : std::stoul(quantity.substr(number + 1));
   if (kind == "Area")
   {
     return linear.area;
   }
-  if (kind == "Flux" || component >= linear.integrals.size())
+  if (kind != "Integral" && kind != "Mean")
+  {
+    return std::nullopt;
+  }
+  const std::size_t component =
+    number == std::string::npos ? 0 : std::stoul(quantity.substr(number + 1));
+  if (component >= linear.integrals.size())
   {
     return std::nullopt;
   }
@@ -122,6 +150,35 @@ std::string RowText(const Answer& answer, const IntegralRow& row)
   return text;
 }
 
+/// The extreme that a row is about; null where it is about none.
+const Extreme* ExtremeOf(const Answer& answer, const IntegralRow& row)
+{
+  if (!answer.more.extremes)
+  {
+    return nullptr;
+  }
+  return row.quantity == "Minimum" ? &answer.more.extremes->extremes.minimum
+    : row.quantity == "Maximum"    ? &answer.more.extremes->extremes.maximum
+                                   : nullptr;
+}
+
+std::int64_t CellOfExtreme(const LoadedModel& input, const Extreme& extreme)
+{
+  return input.model->SourceCells()[static_cast<std::size_t>(extreme.element)];
+}
+
+/// Where the value of a row is; empty where it has no place.
+std::string PlaceText(const LoadedModel& input, const Answer& answer, const IntegralRow& row)
+{
+  const Extreme* const extreme = ExtremeOf(answer, row);
+  if (extreme == nullptr)
+  {
+    return {};
+  }
+  return fmt::format(" at ({}, {}, {}), element {}", Short(extreme->x.x, 9), Short(extreme->x.y, 9),
+    Short(extreme->x.z, 9), CellOfExtreme(input, *extreme));
+}
+
 /// A surface's row of a time step.
 void AddStepRow(Table& table, const LoadedModel& input, const Answer& answer, double tolerance)
 {
@@ -132,13 +189,13 @@ void AddStepRow(Table& table, const LoadedModel& input, const Answer& answer, do
     texts.push_back(fmt::format("{} {}", row.quantity, RowText(answer, row)));
   }
   table.Row(fmt::format("step {}", input.step), "time {}: {}", Short(TimeOf(input)), Listed(texts));
-  for (const std::string& doubt : DoubtsOf(answer.found, tolerance))
+  for (const std::string& doubt : AnswerNotes(answer, tolerance))
   {
     table.Row("note", doubt);
   }
 }
 
-void PrintAnswer(const Answer& answer, const IntegralEffort& effort)
+void PrintAnswer(const LoadedModel& input, const Answer& answer, const IntegralEffort& effort)
 {
   Table table;
   table.Row("surface", answer.name);
@@ -147,23 +204,29 @@ void PrintAnswer(const Answer& answer, const IntegralEffort& effort)
     "met", "{} elements inside, {} faces; {} boxes", found.elements, found.faces, found.boxes);
   for (const IntegralRow& row : answer.rows)
   {
-    table.Row(row.quantity, RowText(answer, row));
+    table.Row(row.quantity, RowText(answer, row) + PlaceText(input, answer, row));
   }
-  for (const std::string& doubt : DoubtsOf(found, effort.tolerance))
+  for (const HistogramClass& one : answer.more.histogram)
+  {
+    table.Row("", "{} to {}: {} to {} % of the area", Short(one.from), Short(one.to),
+      Rounded(100.0 * one.part.lower, false, 4), Rounded(100.0 * one.part.upper, true, 4));
+  }
+  for (const std::string& doubt : AnswerNotes(answer, effort.tolerance))
   {
     table.Row("note", doubt);
   }
   table.Print();
 }
 
-nlohmann::ordered_json AnswerJson(const Answer& answer, const IntegralEffort& effort)
+nlohmann::ordered_json AnswerJson(
+  const LoadedModel& input, const Answer& answer, const IntegralEffort& effort)
 {
   const SurfaceIntegral& found = answer.found;
   nlohmann::ordered_json summary{ { "surface", answer.name }, { "tolerance_met", found.met },
     { "numeric", found.isNumeric }, { "elements", found.elements }, { "faces", found.faces },
     { "boxes", found.boxes }, { "unresolved_area", found.unresolved },
     { "not_finite", found.notFinite }, { "flat", found.flat }, { "not_valid", found.notValid },
-    { "partly_covered", found.covered }, { "notes", DoubtsOf(found, effort.tolerance) } };
+    { "partly_covered", found.covered }, { "notes", AnswerNotes(answer, effort.tolerance) } };
   for (const IntegralRow& row : answer.rows)
   {
     nlohmann::ordered_json entry{ { "quantity", row.quantity }, { "value", row.Middle() },
@@ -172,7 +235,19 @@ nlohmann::ordered_json AnswerJson(const Answer& answer, const IntegralEffort& ef
     {
       entry["linear"] = *linear;
     }
+    if (const Extreme* const extreme = ExtremeOf(answer, row))
+    {
+      entry.update({ { "at", { extreme->x.x, extreme->x.y, extreme->x.z } },
+        { "element", CellOfExtreme(input, *extreme) },
+        { "xi", { extreme->xi.x, extreme->xi.y, extreme->xi.z } },
+        { "value_at", extreme->value } });
+    }
     summary["rows"].push_back(entry);
+  }
+  for (const HistogramClass& one : answer.more.histogram)
+  {
+    summary["histogram"].push_back({ { "from", one.from }, { "to", one.to },
+      { "lower", one.part.lower }, { "upper", one.part.upper } });
   }
   if (answer.linear)
   {
@@ -197,8 +272,32 @@ nlohmann::ordered_json SolveStep(const LoadedModel& input, const Field* field,
   return summary;
 }
 
+/// Draws the quantity over time, or of one step the first surface's histogram.
+void DrawPlot(const IntegrateOptions& options, const std::string& field,
+  const std::vector<TimedRows>& rows, const std::vector<HistogramClass>& histogram)
+{
+  if (options.input.allSteps)
+  {
+    options.plot.Write(PlotOfRows(field, options.plotQuantity, rows));
+    return;
+  }
+  if (histogram.empty())
+  {
+    throw Error("--plot: there is no histogram of the first surface to draw");
+  }
+  options.plot.Write(PlotOfHistogram(field, histogram));
+}
+
 void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
 {
+  if (options.plot.IsAsked() && !options.input.allSteps && options.statistics.classes == 0)
+  {
+    throw UsageError(
+      "--plot: give --time-step all for a quantity over time, or --statistics N for a "
+      "histogram");
+  }
+  options.plot.Check(options.input.files);
+  CheckStandardOutput({ options.plot.Name() }, common.json);
   const IntegralEffort effort = options.Effort();
   (void)options.surfaces.Clips(); // which refuses what is none
   if (const std::string other = options.surfaces.NotLinear(); options.linear >= 0 && !other.empty())
@@ -210,9 +309,11 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
   std::vector<nlohmann::ordered_json> summaries;
   std::vector<Table> tables; // of all steps, by surface
   std::string name;          // of the field, in all steps; empty: there is none
-  // An iso-surface may belong to another field than the integrand; then all fields are loaded.
-  ForEachStep(options.input, options.surfaces.HasIsoSurfaces() ? std::string() : options.field,
-    stopwatch,
+  std::vector<TimedRows> rows;
+  std::vector<HistogramClass> histogram; // of the first surface
+  // An iso-surface and a correlation may need other fields; then all fields are loaded.
+  const bool needsAll = options.surfaces.HasIsoSurfaces() || !options.statistics.with.empty();
+  ForEachStep(options.input, needsAll ? std::string() : options.field, stopwatch,
     [&](const LoadedModel& input)
     {
       const bool isFirst = summaries.empty();
@@ -229,10 +330,12 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
         SolveStep(input, name.empty() ? nullptr : &input.model->GetField(name), options,
           [&](const Answer& answer)
           {
-            answers.push_back(AnswerJson(answer, effort));
+            answers.push_back(AnswerJson(input, answer, effort));
+            rows.push_back({ answer.name, TimeOf(input), answer.rows });
+            histogram = rows.size() == 1 ? answer.more.histogram : histogram;
             if (!common.json && !options.input.allSteps)
             {
-              PrintAnswer(answer, effort);
+              PrintAnswer(input, answer, effort);
               return;
             }
             if (isFirst)
@@ -245,6 +348,11 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
       summaries.push_back(std::move(summary));
       stopwatch.Stage("integrate");
     });
+  if (options.plot.IsAsked())
+  {
+    DrawPlot(options, name, rows, histogram);
+    stopwatch.Stage("write");
+  }
   if (common.json)
   {
     nlohmann::ordered_json summary = summaries.front();
@@ -277,5 +385,11 @@ void AddIntegrateCommand(CLI::App& program, const CommonOptions& common, Action&
   Bind(command, "--tolerance", options->tolerance);
   Bind(command, "--seconds", options->seconds);
   Bind(command, "--linear", options->linear);
+  options->plot.AddTo(command);
+  Bind(command, "--plot-quantity", options->plotQuantity);
+  Bind(command, "--norms", options->statistics.norms);
+  Bind(command, "--extremes", options->statistics.extremes);
+  Bind(command, "--statistics", options->statistics.classes);
+  Bind(command, "--correlate", options->statistics.with);
 }
 } // namespace pixelexact

@@ -5,6 +5,7 @@
 #include "Base/Report.h"
 #include "Commands/ProbeReport.h"
 #include "Commands/ProbeTable.h"
+#include "Commands/ValuePlots.h"
 #include "Input/Input.h"
 #include "Scene/Model.h"
 
@@ -37,6 +38,7 @@ struct ProbeOptions
   bool lineHasZ = true;     ///< false: z are set later, 0 until then
   std::string output = "-";
   ProbeColumns columns;
+  PlotOptions plot;
 };
 
 /// The fields to evaluate; none where the input has none. Points are then only located and their
@@ -179,11 +181,12 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   {
     throw UsageError("no points were given; name a table of them, --points, or a line, --line");
   }
-  CheckStandardOutput({ options.output }, common.json);
   std::vector<std::string> read = options.input.files;
   read.push_back(options.points);
   CheckOutput("--output", options.output, read);
   CheckTableName(options.output);
+  options.plot.Check(read);
+  CheckStandardOutput({ options.output, options.plot.Name() }, common.json);
   Stopwatch stopwatch;
   // Reads the points first, because this is fast and often fails.
   GivenPoints given = PointsOf(options);
@@ -226,6 +229,15 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
       AddTo(table, input, fields, step.fields, options.columns);
     });
   WriteProbeTable(options.output, given.points, steps, options.input.allSteps);
+  if (options.plot.IsAsked())
+  {
+    Plot plot = PlotOfProbe(given.points, steps);
+    if (names.size() == 1 && plot.up.starts_with("value"))
+    {
+      plot.up = names.front();
+    }
+    options.plot.Write(std::move(plot));
+  }
   stopwatch.Stage("write");
   if (!common.json)
   {
@@ -289,5 +301,6 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
   Bind(command, "--gradient", options->columns.gradient);
   Bind(command, "--enclosures", options->columns.enclosures);
   Bind(command, "--owners", options->columns.owners);
+  options->plot.AddTo(command);
 }
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #include "Picture/DrawnShot.h"
 
 #include "Base/Processes.h"
+#include "Base/Report.h"
 #include "Drawing/VectorCanvas.h"
 #include "Frames/ContourLabels.h"
 #include "Picture/ContourReport.h"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -21,7 +23,7 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   const bool hasField = shot.scene.layers.front().field != nullptr;
   // The report states the range of visible values.
   const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
-    options.buffers.Needs(hasField) | options.outline.Needs();
+    options.buffers.Needs(hasField) | options.outline.Needs() | options.marks.Needs();
   View view = ViewOf(options.shot.colors, &options.contours, shot);
   view.stride = options.quality.Stride();
   return AreSeveralProcesses() ? TraceTogether(view, others, progress)
@@ -85,6 +87,10 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   {
     options.outline.Draw(shot, Pixels);
   }
+  if (options.marks.IsAsked())
+  {
+    Extremes = ExtremeMarks::Find(shot);
+  }
   found_.quality = { options.quality.Stride(), shot.truncated };
   found_.values = ValuesSeen(Pixels, -std::numeric_limits<double>::infinity());
   if (!Told.IsInPlace() && !options.contours.Only())
@@ -135,7 +141,38 @@ void DrawnShot::DrawFigure(Canvas& canvas) const
   {
     content.marks.push_back({ *Colors->GetView().appearance.undecided, "undecided" });
   }
+  AddBeyond(content);
+  if (Options.marks.IsAsked())
+  {
+    ExtremeMarks::Draw(canvas, Of, Pixels, Extremes, Options.figure.FontOf(Options.shot.size));
+  }
   Options.figure.Draw(canvas, Options.shot.size, content);
+}
+
+void DrawnShot::AddBeyond(FigureContent& content) const
+{
+  const auto shown = std::ranges::find_if(
+    Colors->Ranges(), [](const ValueRange& range) { return range.has_value(); });
+  if (shown == Colors->Ranges().end() || !content.bars)
+  {
+    return;
+  }
+  const ColorMap& map = Colors->Maps()[static_cast<std::size_t>(shown - Colors->Ranges().begin())];
+  const auto add = [&](std::int64_t pixels, double value, const std::string& text)
+  {
+    if (pixels > 0)
+    {
+      Rgba color{};
+      map({ &value, 1 }, color.data());
+      color[3] = 255;
+      content.marks.push_back({ color, text });
+    }
+  };
+  const auto& [low, high] = **shown;
+  const PixelsBeyond& beyond = found_.beyond;
+  add(beyond.below, low, "below " + Short(low, 4));
+  add(beyond.above, high, "above " + Short(high, 4));
+  add(beyond.noLogarithm, std::numeric_limits<double>::quiet_NaN(), "no logarithm");
 }
 
 Image DrawnShot::Picture() const

@@ -5,6 +5,7 @@
 #include "Drawing/ImageFile.h"
 #include "Drawing/VectorLines.h"
 #include "Picture/ContourPaths.h"
+#include "Picture/ExtremeMarks.h"
 #include "Picture/RenderReport.h"
 #include "Scene/DebugOptions.h"
 #include "Scene/ShotAppearance.h"
@@ -17,6 +18,7 @@
 
 namespace pixelexact
 {
+struct FigureContent;
 struct RenderOptions;
 struct Shot;
 
@@ -56,13 +58,16 @@ private:
   void AddLines(std::vector<std::vector<CanvasPoint>> paths, double width, const Rgba& color);
   void AddContours(const std::vector<ContourPath>& contours);
   void DrawFigure(Canvas& canvas) const;
+  /// Adds the colours of values beyond the range, and of those that have no logarithm.
+  void AddBeyond(FigureContent& content) const;
 
   const RenderOptions& Options;
   const Shot& Of;
   Frame Pixels;
   DebugOptions Told;
   std::optional<ShotAppearance> Colors;
-  std::optional<int> Labels; ///< number of labels drawn, where requested
+  std::optional<int> Labels;             ///< number of labels drawn, where requested
+  std::vector<SurfaceExtremes> Extremes; ///< of marks
   VectorLines Over;
   std::vector<std::string> Staying;
   Found found_;

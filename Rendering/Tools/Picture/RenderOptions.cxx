@@ -36,6 +36,7 @@ void RenderOptions::AddTo(CLI::App& command)
   buffers.AddTo(command);
   lines.AddTo(command);
   figure.AddTo(command);
+  marks.AddTo(command);
   font.AddTo(command);
   outline.AddTo(command);
   animation.AddTo(command);

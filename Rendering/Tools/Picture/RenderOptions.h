@@ -4,6 +4,7 @@
 #include "Drawing/FontOptions.h"
 #include "Picture/AnimationOptions.h"
 #include "Picture/ContourFile.h"
+#include "Picture/ExtremeMarks.h"
 #include "Picture/Figure.h"
 #include "Picture/MeshOutline.h"
 #include "Scene/BufferOptions.h"
@@ -26,6 +27,7 @@ struct RenderOptions
   ContourOptions contours;
   ContourFileOptions lines;
   FigureOptions figure;
+  ExtremeMarks marks;
   FontOptions font;
   MeshOutline outline;
   AnimationOptions animation;
