@@ -11,7 +11,8 @@
  * numbers of an element are NaN where a value is not finite.
  *
  * Integrals are numeric: Gauss rules of two numbers of points, whose difference estimates the
- * error; boxes are subdivided until it is at most 1e-6 of the integral, or 8,192 boxes were added.
+ * error; boxes are subdivided until it is at most 1e-6 of the integral, or 4 million evaluations
+ * were added.
  * Linf is proven (LinfLower, LinfUpper) where the field has a proven range.
  */
 

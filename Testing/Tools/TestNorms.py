@@ -41,12 +41,12 @@ class Norms(ToolTest):
         self.assertTrue(u["linf"]["proven"])
         self.assertLessEqual(u["linf"]["attained"], 1.0)
         self.assertGreaterEqual(u["linf"]["bound"], 1.0)
-        self.assertAlmostEqual(off["l1"]["value"], 5 / 18, delta=max(1e-6, off["l1"]["error_estimate"]))
+        self.assertAlmostEqual(off["l1"]["value"], 5 / 18, delta=1e-5)
         self.assertLess(off["l1"]["error_estimate"], 1e-4)
         self.assertAlmostEqual(off["l2"]["value"], 1 / 3, delta=1e-12)
         self.assertAlmostEqual(off["integrals"][0]["value"], 1 / 6, delta=1e-12)
         self.assertAlmostEqual(vector["l2"]["value"], math.sqrt(5 / 3), delta=1e-12)
-        self.assertAlmostEqual(vector["linf"]["bound"], math.sqrt(5), delta=1e-5)
+        self.assertAlmostEqual(vector["linf"]["bound"], math.sqrt(5), delta=1e-3)
         self.assertAlmostEqual(vector["integrals"][1]["value"], 1.0, delta=1e-12)
 
     def test_gauss_theorem(self):

@@ -132,6 +132,18 @@ public:
 
   [[nodiscard]] std::size_t Quantities() const { return kFirstComponent + Components; }
 
+  /// The number of points of both rules.
+  [[nodiscard]] std::int64_t PointsOfBox() const
+  {
+    std::int64_t points = 0;
+    for (const GaussRule& rule : Rules)
+    {
+      const auto n = static_cast<std::int64_t>(rule.points.size());
+      points += n * n * (IsPlane ? 1 : n);
+    }
+    return points;
+  }
+
   void Begin(int element, ElementQuadrature& quadrature) const
   {
     Add(element, { Vec3(-1.0), Vec3(1.0) }, quadrature);
@@ -446,8 +458,9 @@ FieldNorms FindNorms(const Mesh& mesh, const Field& field, double thickness,
     allowed[q] = 0.5 * effort.tolerance * SizeOf(totals, q) /
       static_cast<double>(std::max<std::size_t>(finite, 1));
   }
-  const std::int64_t boxes =
-    1 + effort.boxes / std::max<std::int64_t>(static_cast<std::int64_t>(count), 1);
+  const std::int64_t boxes = 1 +
+    effort.evaluations /
+      (finder.PointsOfBox() * std::max<std::int64_t>(static_cast<std::int64_t>(count), 1));
   ParallelProgress second(progress, 0.3, 1.0, count);
   tbb::parallel_for(0, mesh.Elements(),
     [&](int e)
@@ -463,7 +476,7 @@ FieldNorms FindNorms(const Mesh& mesh, const Field& field, double thickness,
 std::optional<Interval> LargestMagnitude(
   const Mesh& mesh, const Field& field, const std::function<void(double)>& progress)
 {
-  constexpr RangeEffort kEffort{ 1e-6, 4000 };
+  constexpr RangeEffort kEffort{ 1e-4, 256 };
   const bool isVector = field.values.components > 1;
   const RangeQuestion question{ isVector ? Quantity::Magnitude : Quantity::Component, &field };
   if (!IsAnswerable(question))

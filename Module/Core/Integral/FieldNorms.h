@@ -36,7 +36,8 @@ struct NormEffort
   /// Boxes are subdivided until the estimated error of each integral is this part of the integral
   /// of the magnitude, or less; 0 < tolerance.
   double tolerance = 1e-6;
-  std::int64_t boxes = 8192; ///< more than one an element, in all elements together
+  /// The number of evaluations in all elements together, after the first ones over whole elements.
+  std::int64_t evaluations = std::int64_t{ 1 } << 22;
   /// The highest order of the fields that an expression reads; other fields have their own.
   int order = 8;
 };
@@ -68,8 +69,8 @@ FieldNorms FindNorms(const Mesh& mesh, const Field& field, double thickness,
   const NormEffort& effort = {}, const std::function<void(double)>& progress = {});
 
 /// Proven: holds the largest |f| over the elements whose coefficients are finite, with a gap of at
-/// most 1e-6 of the range of values within the work budget. None where no range is proven, as for
-/// expressions with a pole.
+/// most 1e-4 of the range of values within 256 boxes an element. None where no range is proven, as
+/// for expressions with a pole.
 std::optional<Interval> LargestMagnitude(
   const Mesh& mesh, const Field& field, const std::function<void(double)>& progress = {});
 
