@@ -99,6 +99,7 @@ void vtkHighOrderNorms::ResetReport()
 bool vtkHighOrderNorms::Make(vtkDataObject* mesh, vtkTable* output)
 {
   const auto model = this->ModelOf(mesh);
+  model->RequireSolids("norms over a mesh");
   const std::string name = ChosenName(this, this->FieldName);
   if (name.empty() && model->Fields().empty())
   {

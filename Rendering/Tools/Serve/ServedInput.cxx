@@ -23,6 +23,10 @@ std::string ChangeOf(const InputRequest& request)
     change = fmt::format("warp {}={} by {}", request.warp->field, request.warp->scale,
       fmt::join(request.warpDirection, ","));
   }
+  if (request.phase)
+  {
+    change += fmt::format(" phase {}", *request.phase);
+  }
   if (request.truncateOrder)
   {
     change += fmt::format(" truncate {}", *request.truncateOrder);
@@ -36,6 +40,7 @@ InputRequest Unchanged(const InputRequest& request, int step)
   InputRequest plain = request;
   plain.warp.reset();
   plain.warpDirection.clear();
+  plain.phase.reset();
   plain.truncateOrder.reset();
   plain.time.reset();
   plain.step = step;
@@ -104,9 +109,7 @@ ServedInput::Kept& ServedInput::Find(const InputRequest& request, int step)
   {
     return Models.front();
   }
-  LoadedModel base = Models.front().model;
-  base.undeformed = base.grid;
-  return Keep({ step, change, Deformed(base, request), {} });
+  return Keep({ step, change, Changed(Models.front().model, request), {} });
 }
 
 LoadedModel ServedInput::Get(const InputRequest& request, const std::string& expression)
