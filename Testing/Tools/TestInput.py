@@ -293,11 +293,6 @@ class EmptyMesh(FileTest):
         self.refused_by_all(self.write("empty.vtu", plain_grid([], [])),
                             "no two- or three-dimensional cell")
 
-    def test_surface_in_space(self):
-        fields = [("u", np.arange(3.0))]
-        text = plain_grid(np.eye(3), [(5, [0, 1, 2])], fields)
-        self.refused_by_all(self.write("triangle.vtu", text), "surface in space")
-
     def test_cells_of_lower_dimension_are_skipped_and_counted(self):
         points = np.eye(4, 3)
         cells = [(5, [0, 1, 2]), (10, [0, 1, 2, 3]), (3, [0, 1])]
