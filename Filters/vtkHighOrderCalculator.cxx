@@ -96,13 +96,15 @@ int vtkHighOrderCalculator::DefinePhase(vtkUnstructuredGrid* grid, double degree
   for (const std::string& real : names)
   {
     const std::string name = real.substr(0, real.size() - std::min(real.size(), kReal.size()));
-    if (name.empty() || !real.ends_with(kReal) || !isThere(name + "_imag") || isThere(name))
+    if (name.empty() || !real.ends_with(kReal) || !isThere(name + "_imag") || isThere(name) ||
+      name.find('\'') != std::string::npos)
     {
       continue;
     }
-    const std::string imaginary = name + "_imag";
-    AddDefinition(name,
-      "'" + real + "'*" + Bracketed(cosine) + " - '" + imaginary + "'*" + Bracketed(sine), grid);
+    std::string text = "'";
+    text.append(real).append("'*").append(Bracketed(cosine)).append(" - '");
+    text.append(name).append("_imag'*").append(Bracketed(sine));
+    AddDefinition(name, text, grid);
     ++defined;
   }
   return defined;

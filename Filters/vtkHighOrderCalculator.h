@@ -69,7 +69,7 @@ public:
    * Adds, for each complex function of a grid, which is a pair of fields NAME_real and NAME_imag,
    * the definition NAME: its real part after a turn by `degrees`, NAME_real cos(degrees) -
    * NAME_imag sin(degrees). A definition of an earlier call is replaced; a function whose NAME is
-   * another field's is left out. Returns the number of definitions.
+   * another field's, or holds a quote, is left out. Returns the number of definitions.
    */
   static int DefinePhase(vtkUnstructuredGrid* grid, double degrees);
 

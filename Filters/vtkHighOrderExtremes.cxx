@@ -5,6 +5,7 @@
 #include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
 #include "Core/Element/Validity.h"
+#include "Core/Expression/Expression.h"
 #include "Core/Location/Extremes.h"
 #include "Formats/Slab.h"
 #include "HighOrderModel.h"
@@ -141,6 +142,7 @@ bool vtkHighOrderExtremes::Make(vtkDataObject* mesh, vtkPolyData* output)
 {
   const auto model = this->ModelOf(mesh);
   const Field& field = FieldOrFirstOf(*model, ChosenName(this, this->FieldName));
+  RequireSurfaceRange(model->GetMesh(), field);
   const RangeQuestion question = QuestionFor(field, this->Component);
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Input.GridOf(mesh));
   const bool isPlane = grid != nullptr && SlabOf(grid).has_value();

@@ -277,7 +277,8 @@ double JumpOf(const Mesh& mesh, const std::vector<WarpTerm>& terms)
 Displacement DisplacementOf(
   const HighOrderModel& model, vtkUnstructuredGrid* grid, const WarpRequest& request)
 {
-  const bool isPlane = SlabOf(grid).has_value();
+  const std::optional<Slab> slab = SlabOf(grid);
+  const bool isPlane = slab && !slab->inSpace;
   const std::vector<std::string> arguments = ArgumentsOfVec(Resolved(model, request.field));
   Displacement displacement;
   bool isScalar = false;

@@ -242,6 +242,10 @@ private:
     if (motion)
     {
       OwnedMesh moved = MovedMesh(Map, *motion, errors);
+      if (slab)
+      {
+        LiftAgain(*slab, Model->SourceCells(), moved.map);
+      }
       arrays.map = std::move(moved.map);
       arrays.centre = std::move(moved.centre);
       arrays.size = std::move(moved.size);

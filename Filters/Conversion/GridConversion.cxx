@@ -213,12 +213,14 @@ std::vector<std::string> DiagnoseMesh(
   const SourceMesh& mesh, const HighOrderModel& model, vtkUnstructuredGrid* grid)
 {
   auto lines = DiagnoseNodes(mesh);
-  for (const auto& more :
-    { DiagnoseJacobian(model.GetMesh(), model.SourceCells(), mesh.GetSlab().has_value()),
-      DiagnoseSameCells(grid) })
+  const auto add = [&lines](const std::vector<std::string>& more)
+  { lines.insert(lines.end(), more.begin(), more.end()); };
+  // The solids beneath a surface in space may fold where the surface does not.
+  if (!model.IsShell())
   {
-    lines.insert(lines.end(), more.begin(), more.end());
+    add(DiagnoseJacobian(model.GetMesh(), model.SourceCells(), mesh.GetSlab().has_value()));
   }
+  add(DiagnoseSameCells(grid));
   if (mesh.RationalElements() > 0)
   {
     lines.push_back(DescribeRationals(mesh));

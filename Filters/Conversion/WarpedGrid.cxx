@@ -161,6 +161,11 @@ WarpedGrid WarpGrid(vtkUnstructuredGrid* grid, const WarpRequest& request)
   const Mesh& mesh = model->GetMesh();
   const Displacement displacement = DisplacementOf(*model, whole, request);
   OwnedMesh warped = WarpedMesh(mesh, displacement.terms, request.scale, displacement.jump);
+  const auto slab = SlabOf(whole);
+  if (slab)
+  {
+    LiftAgain(*slab, model->SourceCells(), warped.map);
+  }
   WarpedGrid result;
   result.grid = vtkSmartPointer<vtkUnstructuredGrid>::Take(grid->NewInstance());
   result.grid->ShallowCopy(whole);
@@ -174,7 +179,7 @@ WarpedGrid WarpGrid(vtkUnstructuredGrid* grid, const WarpRequest& request)
   arrays.sourceCell.assign(model->SourceCells().begin(), model->SourceCells().end());
   arrays.boundary.assign(model->BoundaryFaces().begin(), model->BoundaryFaces().end());
   StoreMesh(result.grid, std::move(arrays), OriginOf(whole, kMeshPrefix));
-  if (const auto slab = SlabOf(whole))
+  if (slab)
   {
     StoreSlab(*slab, result.grid);
   }

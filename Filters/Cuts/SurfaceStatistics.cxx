@@ -121,7 +121,7 @@ private:
     IntegralEffort effort = Request.effort;
     effort.tolerance = Request.isToleranceGiven ? effort.tolerance : kPartTolerance;
     const bool isPlain = field_.mapping == Mapping::Identity;
-    const SurfaceIntegral found =
+    SurfaceIntegral found =
       Domain.integrate(isPlain ? &field_ : &Model.GetField("1*" + Operand), effort, value);
     Numeric = Numeric || found.isNumeric;
     return found;

@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Basis/ChangeOfBasis.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Formats/ElementBasis.h"
 
 #include <glm/geometric.hpp>
@@ -108,7 +109,8 @@ std::vector<double> NormalModes(
     }
     for (int c = 0; c < 3; ++c)
     {
-      normals[static_cast<std::size_t>(c * count + i)] = normal[c] / length;
+      normals[static_cast<std::size_t>(c) * static_cast<std::size_t>(count) +
+        static_cast<std::size_t>(i)] = normal[c] / length;
     }
   }
   std::vector<double> result(3 * static_cast<std::size_t>(space.Modes()));
@@ -226,5 +228,54 @@ void LiftSurface(const Space& plane, const Space& needed, std::span<const double
       }
       planar += isAcross ? 0 : 1;
     });
+}
+
+namespace
+{
+/// Lifts the surface of one map again.
+void LiftOne(const Space& solid, double thickness, std::span<double> map)
+{
+  const std::size_t across = Across(solid.shape);
+  const bool isUpper = FacesOf(solid.shape)[static_cast<std::size_t>(ShellFace(solid.shape))].upper;
+  Space plane = solid;
+  plane.order[across] = 0;
+  const auto planeModes = static_cast<std::size_t>(plane.Modes());
+  const auto count = static_cast<std::size_t>(solid.Modes());
+  std::map<std::array<int, 3>, std::size_t> ofPlane;
+  ForEachMode(plane,
+    [&](int p, int q, int r, int mode) {
+      ofPlane[{ p, q, r }] = static_cast<std::size_t>(mode);
+    });
+  std::vector<double> modes(3 * planeModes, 0.0);
+  ForEachMode(solid,
+    [&](int p, int q, int r, int mode)
+    {
+      std::array<int, 3> order{ p, q, r };
+      const double sign = order[across] == 1 && !isUpper ? -1.0 : 1.0;
+      order[across] = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        modes[c * planeModes + ofPlane.at(order)] +=
+          sign * map[c * count + static_cast<std::size_t>(mode)];
+      }
+    });
+  LiftSurface(plane, plane, modes, thickness, map);
+}
+} // namespace
+
+void LiftAgain(const Slab& slab, std::span<const std::int64_t> numbers, OwnedExpansion& map)
+{
+  for (std::size_t e = 0; slab.inSpace && e < numbers.size(); ++e)
+  {
+    try
+    {
+      LiftOne(map.SpaceOf(e), slab.thickness, map.Coefficients(e));
+    }
+    catch (const InvalidData& error)
+    {
+      throw InvalidData(
+        "element " + std::to_string(numbers[e]) + ", once it is moved, " + error.what());
+    }
+  }
 }
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Basis/Space.h"
+#include "Core/Element/OwnedExpansion.h"
 #include "Core/Math/Vec.h"
 
 #include <span>
@@ -50,4 +51,8 @@ void LiftMap(const Space& plane, std::span<const double> modes, double middle, d
 /// is that of the element's order of vertices. Throws InvalidData where the surface has no normal.
 void LiftSurface(const Space& plane, const Space& needed, std::span<const double> modes,
   double thickness, std::span<double> lifted);
+
+/// Replaces such maps, whose surfaces were moved together with their solids, by those of the solids
+/// beneath the moved surfaces. Throws as LiftSurface, naming the element by `numbers`.
+void LiftAgain(const Slab& slab, std::span<const std::int64_t> numbers, OwnedExpansion& map);
 } // namespace pixelexact

@@ -174,6 +174,45 @@ class Shells(ShellTest):
             self.fails(1, "render", self.patches(), "--field", text, "--output",
                        self.folder / "no.png", names=["surface in space"])
 
+    def test_a_surface_that_bends_back_over_itself(self):
+        """A hairpin: the solid of its one element reaches its other leg."""
+        def hairpin(x, y):
+            t = 2 * x - 1
+            return [1 - t * t, y, 0.03 * t]
+
+        made = Patches(3, 1, hairpin, "quadrilaterals")
+        file = self.folder / "hairpin.vtu"
+        file.write_text(plain_grid(made.points, made.cells, [("u", [p[2] for p in made.points])]),
+                        encoding="utf-8")
+        t, y = np.meshgrid(np.linspace(-0.95, 0.95, 20), np.linspace(0.1, 0.9, 5))
+        points = np.stack([1 - t * t, y, 0.03 * t], axis=-1).reshape(-1, 3)
+        table, out = self.folder / "p.csv", self.folder / "o.csv"
+        table.write_text("x,y,z\n" + "\n".join(",".join(map(repr, p)) for p in points.tolist()),
+                         encoding="utf-8")
+        self.succeeds("probe", file, "--points", table, "--owners", "--output", out)
+        rows = read_csv(out)
+        self.assertEqual({row["verdict"] for row in rows}, {"inside"})
+        self.assertEqual({row["owners"] for row in rows}, {"1"})
+        np.testing.assert_allclose(columns(rows)["value"], points[:, 2], atol=1e-12)
+
+    def test_deformed(self):
+        """Lifted by u, the graph is that of height + u."""
+        area = over_square(lambda x, y: np.sqrt(1 + (0.8 * x - 0.3 * y + 1 + 3 * y * y) ** 2 +
+                                                (-0.3 * x + 0.6 * y * y - 2 + 6 * x * y) ** 2))
+        rows = self.integrals(self.patches(), "--field", "u", "--warp", "u", "--warp-direction", "0,0,1")
+        self.assertAlmostEqual(rows["Area"]["value"], area, delta=1e-6)
+        _, seen = self.shown(self.patches(), "--field", "u", "--warp", "u", "--warp-direction", "0,0,1")
+        at = seen["Position"][seen["Verdict"] == 1]
+        np.testing.assert_allclose(at[:, 2], (height(at[:, 0], at[:, 1]) + value(at[:, 0], at[:, 1])),
+                                   atol=2e-14)
+
+    def test_ranges_of_expressions_of_coordinates(self):
+        for option in ("--certify", "--extremes"):
+            options = ["--certify", "--field", "u*z"] if option == "--certify" else ["--extremes", "u*z"]
+            self.fails(1, "info", self.patches(), *options, names=["surface in space", "coordinates"])
+        found = self.summary("integrate", self.patches(), "--field", "u*u", "--extremes")
+        self.assertTrue(found["surfaces"])
+
     def test_what_needs_solids_is_refused(self):
         file = self.patches()
         out = ["--output", self.folder / "no.png"]

@@ -6,6 +6,7 @@
 #include "Core/Expression/CompiledGraph.h"
 #include "Core/Expression/IntervalProgram.h"
 #include "Core/Expression/OuterFunctions.h"
+#include "Core/Expression/Program.h"
 #include "Core/Expression/Translator.h"
 
 #include <tbb/collaborative_call_once.h>
@@ -263,6 +264,26 @@ std::shared_ptr<const FieldExpression> MakeExpression(
   const std::string& text, const ExpressionScope& scope)
 {
   return std::make_shared<const ExpressionFunction>(text, scope);
+}
+
+void RequireSurfaceRange(const Mesh& mesh, const Field& field)
+{
+  const auto* const expression = dynamic_cast<const FieldExpression*>(field.function.get());
+  if (!mesh.isShell || expression == nullptr)
+  {
+    return;
+  }
+  const auto isAcross = [](const Graph::Node& leaf)
+  {
+    return leaf.operation == Operation::Coordinate || leaf.operation == Operation::Reference ||
+      leaf.operation == Operation::Normal;
+  };
+  if (std::ranges::any_of(expression->GetProgram().Leaves(), isAcross))
+  {
+    throw Unsupported("'" + field.name +
+      "' uses coordinates, and the mesh is a surface in space: ranges and extremes are available "
+      "for expressions of fields alone; integrate --extremes finds those of all others");
+  }
 }
 
 bool IsMoreThanName(const std::string& text)

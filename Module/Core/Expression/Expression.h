@@ -55,6 +55,10 @@ public:
 [[nodiscard]] std::shared_ptr<const FieldExpression> MakeExpression(
   const std::string& text, const ExpressionScope& scope);
 
+/// Throws Unsupported where the range of a field over the elements of a surface in space would be
+/// that of the solids beneath: for expressions of coordinates or normals.
+void RequireSurfaceRange(const Mesh& mesh, const Field& field);
+
 /// Whether a text contains operators, brackets or quotes, and so is not meant as a plain name.
 [[nodiscard]] bool IsMoreThanName(const std::string& text);
 } // namespace pixelexact

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 
 namespace pixelexact
@@ -22,21 +21,12 @@ constexpr std::size_t kManyCandidates = 48;
 constexpr std::size_t kManyCandidatesOfChunk = 12;
 constexpr int kSmallChunk = 8;
 
-/// How far, in xi, a point of a surface in space may be beneath it: rounded coordinates are.
-constexpr double kBeneathShell = 1.6e-5;
-
 bool Overlap(const Box3& a, const Box3& b)
 {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
     b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 } // namespace
-
-bool Locator::Batch::IsOnShell(Shape shape, const Vec3& xi)
-{
-  const ShapeFace face = FacesOf(shape)[static_cast<std::size_t>(ShellFace(shape))];
-  return std::fabs(xi[face.direction] - (face.upper ? 1.0 : -1.0)) <= kBeneathShell;
-}
 
 Locator::Batch::Batch(const Locator& locator, const LanePoints& points, LocationSink& sink)
   : Owner(locator)
@@ -214,10 +204,11 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
   }
   for (int k = 0; mesh_.isShell && k < count; ++k)
   {
-    if (!IsOnShell(Problem.space.shape, { result.xi[0][k], result.xi[1][k], result.xi[2][k] }))
+    // Beneath a surface in space. Another xi may be on it.
+    if (result.status[k] == static_cast<double>(NewtonStatus::RootInside) &&
+      !IsOnShell(Problem.space.shape, { result.xi[0][k], result.xi[1][k], result.xi[2][k] }))
     {
-      result.status[k] = static_cast<double>(NewtonStatus::RootOutside);
-      result.margin[k] = 0.0;
+      result.status[k] = static_cast<double>(NewtonStatus::NotConverged);
     }
   }
   const int others = FindOthers(result.status, count, Work.others.data());

@@ -38,8 +38,6 @@ private:
   void DropExcluded(std::span<PointChunk> chunks, std::size_t firstDoubt);
   void Decide(std::span<PointChunk> chunks);
   void DecideGroup(ElementTree& tree, std::span<const Doubt> doubts, std::span<PointChunk> chunks);
-  /// Returns whether xi is on the face that an element of a surface in space stands for.
-  [[nodiscard]] static bool IsOnShell(Shape shape, const Vec3& xi);
   static void Close(int index, std::span<PointChunk> chunks);
   [[nodiscard]] Vec3 PointAt(int index) const;
 

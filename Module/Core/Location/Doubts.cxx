@@ -2,6 +2,7 @@
 // Decides points that an element's own Newton iteration leaves open.
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <array>
@@ -150,14 +151,21 @@ void Locator::Batch::DecideGroup(
     sought[k] = { PointAt(doubts[k].index), doubts[k].root };
     budgets[k] = &Work.budgets[static_cast<std::size_t>(doubts[k].index - chunks[0].begin)];
   }
-  FindWithin(tree, std::span(sought).first(doubts.size()), budgets, Wanted::First,
-    std::span(found).first(doubts.size()));
+  FindWithin(tree, std::span(sought).first(doubts.size()), budgets,
+    mesh_.isShell ? Wanted::All : Wanted::First, std::span(found).first(doubts.size()));
+  for (std::size_t k = 0; mesh_.isShell && k < doubts.size(); ++k)
+  {
+    const Shape shape = mesh_.ShapeOf(doubts[k].element);
+    std::erase_if(
+      found[k].roots, [shape](const InverseRoot& root) { return !IsOnShell(shape, root.xi); });
+    found[k].verdict = !found[k].roots.empty() ? Verdict::Inside
+      : found[k].complete                      ? Verdict::Outside
+                                               : Verdict::Unknown;
+  }
   for (std::size_t k = 0; k < doubts.size(); ++k)
   {
     MostBoxes = std::max(MostBoxes, found[k].boxes);
-    const bool isBeneath = mesh_.isShell && !found[k].roots.empty() &&
-      !IsOnShell(mesh_.ShapeOf(doubts[k].element), found[k].roots.front().xi);
-    if (found[k].verdict == Verdict::Inside && !isBeneath)
+    if (found[k].verdict == Verdict::Inside)
     {
       const InverseRoot& root = found[k].roots.front();
       std::array<std::array<double, kLanePadding>, 3> xi;

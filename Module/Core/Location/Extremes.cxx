@@ -58,10 +58,6 @@ Extreme ExtremeAt(const Mesh& mesh, const RangeQuestion& question, int element, 
 Extremes FindExtremes(const Mesh& mesh, const RangeQuestion& question, bool isPlane,
   const RangeEffort& effort, const RangeProgress& progress)
 {
-  if (mesh.isShell && question.field != nullptr)
-  {
-    RequirePolynomials(*question.field, "extremes on a surface in space");
-  }
   const MeshRange found = RangeOf(mesh, question, effort, progress);
   Extremes extremes;
   extremes.notFinite = found.notFinite;

@@ -3,6 +3,7 @@
 #include "Core/Location/PointBudget.h"
 #include "Core/Location/PointKernels.h"
 #include "Core/Location/RootCheck.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,12 @@ FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds,
   answer.decided = bounds.injectiveMargin > 0.0 && lanes[7][0] >= -bounds.injectiveMargin;
   return answer;
 }
+
+/// Whether a xi of the shape belongs to the mesh: beneath a surface in space there is nothing.
+bool IsShown(const Mesh& mesh, int element, const Vec3& xi)
+{
+  return !mesh.isShell || IsOnShell(mesh.ShapeOf(element), xi);
+}
 } // namespace
 
 void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
@@ -90,7 +97,7 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
         doubts.push_back(
           { element, fast.inside ? Vec3(std::numeric_limits<double>::quiet_NaN()) : fast.xi });
       }
-      else if (fast.inside)
+      else if (fast.inside && IsShown(GetMesh(), element, fast.xi))
       {
         sink.Found(index, { element, fast.xi, IsOnFace(problem, fast.xi) });
       }
@@ -105,7 +112,10 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
         Wanted::All, std::span(&all, 1));
       for (const InverseRoot& root : all.roots)
       {
-        sink.Found(index, { element, root.xi, root.onFace });
+        if (IsShown(GetMesh(), element, root.xi))
+        {
+          sink.Found(index, { element, root.xi, root.onFace });
+        }
       }
       if (!all.complete)
       {

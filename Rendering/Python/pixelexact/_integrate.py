@@ -11,6 +11,7 @@ from ._read import Warp
 from ._scene import Normal, Vector, source_of, surface_of
 from ._warp import warped
 from ._work import Error, Progress, run
+from .PixelExactDataModel import vtkHighOrderGrid
 from .PixelExactFilters import vtkHighOrderIntegrate
 
 
@@ -54,7 +55,8 @@ def integrate(
     """Area, integral, mean and flux of a field over a surface, with proven errors.
 
     grid, field, normal, origin, warp, warp_direction: as of cut; surface: a vtkImplicitFunction.
-    boundary: True for all of the mesh's boundary, or attributes of its parts. norms adds L1, L2 and
+    boundary: True for all of the mesh's boundary, or attributes of its parts; a mesh that is a
+    surface in space is its boundary. norms adds L1, L2 and
     Linf; extremes Minimum and Maximum, whose points are attributes of the result; statistics a
     number of classes: Variance, Deviation, quantiles ("Quantile 0.5") and the parts of the area in
     the classes ("Class 1"); correlate another scalar: Correlation. tolerance: of errors, relative to
@@ -64,6 +66,8 @@ def integrate(
     name = field_of(source, field)
     work = vtkHighOrderIntegrate()
     work.SetInputData(source)
+    if surface is None and origin is None and vtkHighOrderGrid.IsSurfaceInSpace(source):
+        boundary = boundary or True
     if boundary is False:
         shape = surface_of(surface, _bounds_of(source), normal, origin)
         if not shape.IsA("vtkImplicitFunction"):

@@ -5,6 +5,7 @@
 #include "Scene/Model.h"
 
 #include "Core/Base/Counted.h"
+#include "Core/Expression/Expression.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +55,7 @@ CertifiedField CertifyField(const Mesh& mesh, const Field& field, Steps& steps)
   CertifiedField facts;
   facts.name = field.name;
   facts.isExpression = field.function != nullptr;
+  RequireSurfaceRange(mesh, field);
   const auto ask = [&](Quantity quantity, int component) {
     return RangeOf(mesh, { quantity, &field, component }, RangeEffort{}, steps.Next());
   };
@@ -66,9 +68,9 @@ CertifiedField CertifyField(const Mesh& mesh, const Field& field, Steps& steps)
     facts.magnitude = ask(Quantity::Magnitude, 0);
     return facts;
   }
-  if (facts.isExpression)
+  if (facts.isExpression || mesh.isShell)
   {
-    return facts; // its gradient is another expression
+    return facts; // the gradient is another expression, and not available on a surface in space
   }
   facts.gradientIsAnswerable = IsAnswerable({ Quantity::GradientMagnitude, &field });
   if (facts.gradientIsAnswerable)

@@ -5,6 +5,7 @@
 
 #include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Counted.h"
+#include "Core/Expression/Expression.h"
 #include "Formats/Slab.h"
 #include "Grids/Continuity.h"
 
@@ -113,6 +114,7 @@ ExtremeFacts FindExtremeFacts(const LoadedModel& input, const std::vector<std::s
   {
     const Field& field = model.GetField(name);
     RequireAnswer({ Quantity::Component, &field });
+    RequireSurfaceRange(mesh, field);
     fields.push_back(&field);
     steps += field.values.components > 1 ? field.values.components + 1.0 : 1.0;
   }

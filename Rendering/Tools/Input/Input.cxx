@@ -198,6 +198,9 @@ std::string RecognisedBy(const std::string& file)
   constexpr std::size_t kBeginning = 1024; // XML has lines before its first element
   std::string begin(kBeginning, '\0');
   std::ifstream(file, std::ios::binary).read(begin.data(), kBeginning);
+  // Lines before the mark are XML's and those of VTK's legacy files; bytes, those of a signature.
+  constexpr std::size_t kSignature = 4;
+  const bool hasHead = begin.starts_with('<') || begin.starts_with("# vtk");
   std::string likely;
   std::string looked;
   std::string_view last; // of the formats named, whose suffixes follow one another
@@ -214,7 +217,8 @@ std::string RecognisedBy(const std::string& file)
       {
         looked.append(looked.empty() ? "'" : ", '").append(shown).append("'");
       }
-      if (begin.find(mark) != std::string::npos)
+      const std::size_t at = begin.find(mark);
+      if (at <= kSignature || (at != std::string::npos && hasHead))
       {
         last = format.name;
         likely.append(likely.empty() ? "" : " or ").append(format.name);

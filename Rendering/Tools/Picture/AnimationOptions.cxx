@@ -107,6 +107,10 @@ void AnimationOptions::Check(const InputRequest& input) const
   {
     throw UsageError("--sweep warp=FROM:TO:N needs the displacement; give --warp FIELD");
   }
+  if (Phase && input.phase)
+  {
+    throw UsageError("--sweep phase=FROM:TO:N has the phases; leave out --phase");
+  }
   for (const char* option : { "--fps", "--resume" })
   {
     if (!IsAsked(input) && IsGiven(*Command, option))

@@ -306,9 +306,10 @@ Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedMod
   Shot shot = MakeShot(options, stopwatch, nullptr, loaded);
   const Box3 box = BoxOf(*shot.input.model);
   const auto& first = shot.scene.layers.front().surface;
-  // A surface that is not flat has normals in many directions.
-  const Vec3 normal =
-    first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
+  // A surface that is not flat has normals in many directions. A mesh that is a surface may lie in
+  // a plane, which is seen from its edge only by chance.
+  const Vec3 oblique = shot.input.model->IsShell() ? Vec3(1.0, 0.7, 0.55) : Vec3(1.0);
+  const Vec3 normal = first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : oblique;
   shot.view = options.camera.Make(box, normal, shot.size);
   if (!options.camera.IsPlaced())
   {

@@ -3,6 +3,7 @@
 
 #include "Serve/ServedInput.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -39,6 +40,8 @@ Drawer::~Drawer()
   {
     const std::lock_guard lock(Mutex);
     Ends = true;
+    // Ends what is being traced.
+    std::ranges::for_each(Views, [](const auto& view) { view->Leave(); });
   }
   Condition.notify_all();
   Thread.join();

@@ -171,7 +171,7 @@ void ServedView::SendFailure(const std::string& text)
   {
     Changed(true);
   }
-  else
+  else if (Stale)
   {
     const std::lock_guard lock(Mutex);
     ExactDue.reset();
@@ -449,7 +449,12 @@ void ServedView::Save(const std::string& suffix, ServedInput& input)
   const ServedScene scene(words, picture, input);
   const RenderOptions& options = scene.GetOptions();
   const bool paths = !isBuffers && (suffix == "svg" || suffix == "pdf");
-  const DrawnShot drawn(options, scene.GetShot(), TraceShot(options, scene.GetShot(), {}), paths);
+  Frame traced = TraceShot(options, scene.GetShot(), [this](double) { return !HasLeft(); });
+  if (HasLeft())
+  {
+    return;
+  }
+  const DrawnShot drawn(options, scene.GetShot(), std::move(traced), paths);
   const RepeatedCommand command{ words, {} };
   Stopwatch watch;
   nlohmann::ordered_json header{ { "kind", "file" }, { "name", stem + suffix },

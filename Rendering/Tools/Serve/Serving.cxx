@@ -147,6 +147,7 @@ void Serve(
           server.Port())
       : "the address is reached from other machines, and what it sends is not encrypted; Ctrl+C "
         "ends it");
+  BeQuiet(true); // of notes that each picture would repeat
   server.Run();
 }
 } // namespace pixelexact
