@@ -34,6 +34,13 @@ class BadFiles(FileTest):
         self.refuses(self.write("mesh.stl", "solid"), ".vtu")
         self.refuses(self.write("mesh", "solid"), ".vtu")
 
+    def test_unknown_suffixes_are_recognised_by_the_beginning(self):
+        self.refuses(self.write("grid.dat", unit_cube_grid()), "VTK XML (.vtu)")
+        self.refuses(self.write("mesh.dat", "MFEM mesh v1.0\n"), "MFEM (.mesh)")
+        self.refuses(self.write("gmsh", "$MeshFormat\n4.1 0 8\n"), "Gmsh (.msh)")
+        self.refuses(self.write("hdf.dat", b"\x89HDF\r\n\x1a\n"), "VTKHDF (.vtkhdf)")
+        self.refuses(self.write("table.txt", "time,solution\nMFEM 1\n"), "none of the marks")
+
     def test_pipes_without_a_writer(self):
         """Nobody is waited for, whatever the suffix, and wherever the pipe stands."""
         for suffix in (".vtu", ".pvtu", ".pvd", ".vtk", ".e", ".e.1.0", ".g", ".cgns", ".mesh", ".mfem_root",
