@@ -296,6 +296,13 @@ class Refusals(ServeTest):
         page.send(size=[110, 80])
         self.assertEqual(page.wait(is_exact)[0]["options"], before["options"])
 
+    def test_a_refusal_does_not_end_what_is_drawn(self):
+        page, _ = self.open()
+        page.send(turn=[0.1, 0.0])
+        page.send(set={"--colormap": "/etc/passwd"})
+        page.wait(is_failure)
+        page.wait(is_exact)
+
     def test_wrong_members_are_named(self):
         page, _ = self.open()
         for message in ({"turn": [1]}, {"turn": ["a", 0]}, {"turn": [1e9, 0]}, {"zoom": 0}, {"zoom": -1}, {"zoom": "x"},

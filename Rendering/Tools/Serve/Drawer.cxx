@@ -101,6 +101,14 @@ std::shared_ptr<ServedView> Drawer::Next()
   return nullptr;
 }
 
+bool Drawer::AreOthersChanged(const ServedView* view)
+{
+  const std::lock_guard lock(Mutex);
+  return std::ranges::any_of(Views,
+    [view](const auto& other)
+    { return other.get() != view && other->Next().first == ServedView::Work::Change; });
+}
+
 void Drawer::Run()
 {
   while (true)
@@ -114,7 +122,7 @@ void Drawer::Run()
     }
     if (const std::shared_ptr<ServedView> view = Next())
     {
-      view->Perform(Input);
+      view->Perform(Input, [this, &view] { return AreOthersChanged(view.get()); });
     }
   }
 }

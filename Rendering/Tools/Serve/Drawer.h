@@ -35,6 +35,8 @@ private:
   /// Removes the views of browsers that left, and returns the next one that has work, or null after
   /// waiting for some.
   std::shared_ptr<ServedView> Next();
+  /// Whether a message waits of another view than this one.
+  bool AreOthersChanged(const ServedView* view);
 
   ServedInput& Input;
   std::mutex Mutex; ///< of the members up to Turn

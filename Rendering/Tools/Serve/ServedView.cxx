@@ -122,7 +122,7 @@ void ServedView::Changed(bool atOnce)
   ExactDue = Clock::now() + (atOnce ? Clock::duration::zero() : Clock::duration(kPause));
 }
 
-void ServedView::Perform(ServedInput& input)
+void ServedView::Perform(ServedInput& input, const std::function<bool()>& othersWait)
 {
   std::deque<nlohmann::json> messages;
   {
@@ -149,7 +149,7 @@ void ServedView::Perform(ServedInput& input)
     }
     if (Next().first == Work::Exact && Next().second <= Clock::now())
     {
-      DrawExact();
+      DrawExact(othersWait);
     }
   }
   catch (const std::exception& error)
@@ -366,7 +366,7 @@ void ServedView::DrawCoarse()
   Coarse->DropFrame();
 }
 
-void ServedView::DrawExact()
+void ServedView::DrawExact(const std::function<bool()>& othersWait)
 {
   {
     const std::lock_guard lock(Mutex);
@@ -379,7 +379,8 @@ void ServedView::DrawExact()
   Frame traced = TraceShot(options, shot,
     [&](double)
     {
-      interrupted = interrupted || IsInterrupted();
+      interrupted =
+        interrupted || IsInterrupted() || (Clock::now() - begin > kLongTrace && othersWait());
       return !interrupted;
     });
   if (interrupted)

@@ -43,6 +43,8 @@ public:
   using Clock = std::chrono::steady_clock;
   /// Time without a change after which the exact picture is drawn.
   static constexpr std::chrono::milliseconds kPause{ 60 };
+  /// Time after which an exact picture gives way to changes of other pages.
+  static constexpr std::chrono::seconds kLongTrace{ 5 };
   /// Messages that may wait.
   static constexpr std::size_t kMaxWaiting = 1000;
   /// Sides and area of a picture in pixels.
@@ -73,8 +75,9 @@ public:
   };
   /// The next work, and when it is due. Any thread.
   [[nodiscard]] std::pair<Work, Clock::time_point> Next();
-  /// Does the work that is due. Only on the drawing thread.
-  void Perform(ServedInput& input);
+  /// Does the work that is due. An exact picture of more than kLongTrace ends, to begin once more
+  /// later, where `othersWait` says that another page was changed. Only on the drawing thread.
+  void Perform(ServedInput& input, const std::function<bool()>& othersWait);
 
 private:
   void Handle(const nlohmann::json& message, ServedInput& input);
@@ -86,7 +89,7 @@ private:
   void Save(const std::string& suffix, ServedInput& input);
   void Update(ServedInput& input);
   void DrawCoarse();
-  void DrawExact();
+  void DrawExact(const std::function<bool()>& othersWait);
   void SendFailure(const std::string& text);
   void Changed(bool atOnce);
   [[nodiscard]] bool IsInterrupted();
