@@ -12,6 +12,7 @@
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkHighOrderGrid.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
