@@ -3,7 +3,6 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/ChangeOfBasis.h"
-#include "Core/Element/Kernels.h"
 #include "Core/Shape/ShapeFace.h"
 #include "Formats/ElementBasis.h"
 
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace pixelexact
@@ -27,6 +27,8 @@ constexpr int kThinner = 5;
 /// little more; in thinner solids chords between pixels leave the solid sooner, and contours take
 /// longer.
 constexpr double kShellThickness = 1.0 / 16.0;
+/// Rounding makes the parallelogram of derivatives smaller than this, in units of the element.
+constexpr double kMinArea = 1e-14;
 /// The largest order of the polynomial that stands for a surface's normal.
 constexpr int kNormalOrder = 3;
 
@@ -43,75 +45,84 @@ std::array<std::size_t, 2> Along(Shape shape)
                                : std::array<std::size_t, 2>{ 0, 1 };
 }
 
-/// The points at which the normal of a surface is sampled, and the modes of the polynomial through
-/// these samples.
+/// The points at which the normal of a surface is sampled: derivatives of a map's modes there along
+/// both directions in the plane, and the modes of the polynomial through samples.
 struct NormalSamples
 {
-  std::vector<double> xi; ///< coordinate by coordinate, padded
+  std::array<std::vector<double>, 2> slopes; ///< point by point
   ChangeOfBasis change;
 };
 
-NormalSamples SamplesOf(const Space& space)
+NormalSamples SamplesOf(const Space& plane, const Space& space)
 {
   const auto points = UnisolventPoints(space);
-  const int count = static_cast<int>(points.size());
-  const auto padded = static_cast<std::size_t>(PaddedCount(count));
-  NormalSamples samples{ std::vector<double>(3 * padded),
-    ChangeOfBasis::FromFunctions(space, count, Cardinal(space, points)) };
-  for (std::size_t i = 0; i < padded; ++i)
+  const auto modes = static_cast<std::size_t>(plane.Modes());
+  NormalSamples samples{ {},
+    ChangeOfBasis::FromFunctions(space, static_cast<int>(points.size()), Cardinal(space, points)) };
+  // Any direction near the normal will do, so differences are good enough.
+  constexpr long double kStep = 1e-4L;
+  std::vector<long double> before(modes);
+  std::vector<long double> behind(modes);
+  for (std::size_t d = 0; d < 2; ++d)
   {
-    for (std::size_t d = 0; d < 3; ++d)
+    const std::size_t direction = Along(plane.shape)[d];
+    samples.slopes[d].reserve(points.size() * modes);
+    for (const LongVec3& point : points)
     {
-      samples.xi[d * padded + i] = static_cast<double>(points[std::min(i, points.size() - 1)][d]);
+      LongVec3 xi = point;
+      xi[direction] -= kStep;
+      EvaluateModes(plane, xi, before.data());
+      xi[direction] += 2 * kStep;
+      EvaluateModes(plane, xi, behind.data());
+      for (std::size_t m = 0; m < modes; ++m)
+      {
+        samples.slopes[d].push_back(static_cast<double>((behind[m] - before[m]) / (2 * kStep)));
+      }
     }
   }
   return samples;
 }
 
-/// The same, made once for each space.
-const NormalSamples& KnownSamples(const Space& space)
+/// The same, made once for each pair of spaces.
+const NormalSamples& KnownSamples(const Space& plane, const Space& space)
 {
   static std::mutex mutex;
-  static std::map<Space, NormalSamples> known;
+  static std::map<std::pair<Space, Space>, NormalSamples> known;
   const std::scoped_lock lock(mutex);
-  const auto found = known.find(space);
+  const std::pair key(plane, space);
+  const auto found = known.find(key);
   return found != known.end() ? found->second
-                              : known.emplace(space, SamplesOf(space)).first->second;
+                              : known.emplace(key, SamplesOf(plane, space)).first->second;
 }
 
 /// The modes, in `space`, of the polynomial through the unit normals of a surface.
 std::vector<double> NormalModes(
   const Space& plane, std::span<const double> modes, const Space& space)
 {
-  const NormalSamples& samples = KnownSamples(space);
-  const int count = samples.change.SourceSize();
-  const auto padded = static_cast<std::size_t>(PaddedCount(count));
-  const LanePoints xi{ { &samples.xi[0], &samples.xi[padded], &samples.xi[2 * padded] }, count };
-  std::vector<double> buffer(12 * padded);
-  std::array<double*, 3> value{};
-  std::array<double*, 9> gradient{};
-  for (std::size_t i = 0; i < 12; ++i)
+  const NormalSamples& samples = KnownSamples(plane, space);
+  const auto count = static_cast<std::size_t>(samples.change.SourceSize());
+  const auto planeModes = static_cast<std::size_t>(plane.Modes());
+  std::vector<double> normals(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    (i < 3 ? value[i] : gradient[i - 3]) = &buffer[i * padded];
-  }
-  KernelsFor(plane).gradient(plane, modes.data(), 3, xi, value.data(), gradient.data());
-  const auto [u, v] = Along(plane.shape);
-  std::vector<double> normals(3 * static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-  {
-    const auto along = [&](std::size_t d)
-    { return Vec3(gradient[d][i], gradient[3 + d][i], gradient[6 + d][i]); };
-    const Vec3 normal = glm::cross(along(u), along(v));
+    std::array<Vec3, 2> along{ Vec3(0.0), Vec3(0.0) };
+    for (std::size_t d = 0; d < 2; ++d)
+    {
+      for (std::size_t m = 0; m < planeModes; ++m)
+      {
+        along[d] += samples.slopes[d][i * planeModes + m] *
+          Vec3(modes[m], modes[planeModes + m], modes[2 * planeModes + m]);
+      }
+    }
+    const Vec3 normal = glm::cross(along[0], along[1]);
     const double length = glm::length(normal);
-    if (!std::isnormal(length))
+    if (!(length > kMinArea))
     {
       throw InvalidData("has no area, or an edge without length; repair it or take it out.");
     }
-    for (int c = 0; c < 3; ++c)
-    {
-      normals[static_cast<std::size_t>(c) * static_cast<std::size_t>(count) +
-        static_cast<std::size_t>(i)] = normal[c] / length;
-    }
+    normals[i] = normal.x / length;
+    normals[count + i] = normal.y / length;
+    normals[2 * count + i] = normal.z / length;
   }
   std::vector<double> result(3 * static_cast<std::size_t>(space.Modes()));
   ChangeOfBasis::Scratch scratch;
