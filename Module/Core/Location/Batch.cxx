@@ -2,8 +2,8 @@
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
 #include "Core/Location/FoundPointKernels.h"
+#include "Core/Location/RootCheck.h"
 #include "Core/Math/Rounding.h"
-#include "Core/Shape/ShapeFace.h"
 
 #include <glm/common.hpp>
 
@@ -206,7 +206,7 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
   {
     // Beneath a surface in space. Another xi may be on it.
     if (result.status[k] == static_cast<double>(NewtonStatus::RootInside) &&
-      !IsOnShell(Problem.space.shape, { result.xi[0][k], result.xi[1][k], result.xi[2][k] }))
+      !IsOnShell(Problem, { result.xi[0][k], result.xi[1][k], result.xi[2][k] }))
     {
       result.status[k] = static_cast<double>(NewtonStatus::NotConverged);
     }

@@ -2,7 +2,7 @@
 // Decides points that an element's own Newton iteration leaves open.
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
-#include "Core/Shape/ShapeFace.h"
+#include "Core/Location/RootCheck.h"
 
 #include <algorithm>
 #include <array>
@@ -155,9 +155,10 @@ void Locator::Batch::DecideGroup(
     mesh_.isShell ? Wanted::All : Wanted::First, std::span(found).first(doubts.size()));
   for (std::size_t k = 0; mesh_.isShell && k < doubts.size(); ++k)
   {
-    const Shape shape = mesh_.ShapeOf(doubts[k].element);
+    const int element = doubts[k].element;
+    const InverseProblem problem = MakeInverseProblem(mesh_, element, Index.BoundsOf(element));
     std::erase_if(
-      found[k].roots, [shape](const InverseRoot& root) { return !IsOnShell(shape, root.xi); });
+      found[k].roots, [&problem](const InverseRoot& root) { return !IsOnShell(problem, root.xi); });
     found[k].verdict = !found[k].roots.empty() ? Verdict::Inside
       : found[k].complete                      ? Verdict::Outside
                                                : Verdict::Unknown;

@@ -3,7 +3,6 @@
 #include "Core/Location/PointBudget.h"
 #include "Core/Location/PointKernels.h"
 #include "Core/Location/RootCheck.h"
-#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,9 +57,9 @@ FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds,
 }
 
 /// Whether a xi of the shape belongs to the mesh: beneath a surface in space there is nothing.
-bool IsShown(const Mesh& mesh, int element, const Vec3& xi)
+bool IsOfMesh(const Mesh& mesh, const InverseProblem& problem, const Vec3& xi)
 {
-  return !mesh.isShell || IsOnShell(mesh.ShapeOf(element), xi);
+  return !mesh.isShell || IsOnShell(problem, xi);
 }
 } // namespace
 
@@ -97,7 +96,7 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
         doubts.push_back(
           { element, fast.inside ? Vec3(std::numeric_limits<double>::quiet_NaN()) : fast.xi });
       }
-      else if (fast.inside && IsShown(GetMesh(), element, fast.xi))
+      else if (fast.inside && IsOfMesh(GetMesh(), problem, fast.xi))
       {
         sink.Found(index, { element, fast.xi, IsOnFace(problem, fast.xi) });
       }
@@ -110,9 +109,11 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
       Preimages all;
       FindWithin(*index_.TreeOf(element), std::span(&sought, 1), std::span(&itsBudget, 1),
         Wanted::All, std::span(&all, 1));
+      const InverseProblem problem =
+        MakeInverseProblem(GetMesh(), element, index_.BoundsOf(element));
       for (const InverseRoot& root : all.roots)
       {
-        if (IsShown(GetMesh(), element, root.xi))
+        if (IsOfMesh(GetMesh(), problem, root.xi))
         {
           sink.Found(index, { element, root.xi, root.onFace });
         }

@@ -2,8 +2,10 @@
 #include "Core/Location/RootCheck.h"
 
 #include "Core/Location/RootCheckKernels.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pixelexact
 {
@@ -40,5 +42,15 @@ bool IsOnFace(const InverseProblem& problem, const Vec3& xi)
   RootCheck check;
   RootChecker(problem).Run(std::span(&xi, 1), std::span(&xi, 1), std::span(&check, 1));
   return check.IsOnFace(problem.space.shape, xi);
+}
+
+bool IsOnShell(const InverseProblem& problem, const Vec3& xi)
+{
+  RootCheck check;
+  RootChecker(problem).Run(std::span(&xi, 1), std::span(&xi, 1), std::span(&check, 1));
+  const Shape shape = problem.space.shape;
+  const ShapeFace face = FacesOf(shape)[static_cast<std::size_t>(ShellFace(shape))];
+  return std::fabs(xi[face.direction] - (face.upper ? 1.0 : -1.0)) <=
+    kMaxMiss * (check.tolerance.x + check.tolerance.y + check.tolerance.z);
 }
 } // namespace pixelexact

@@ -42,4 +42,8 @@ private:
 /// Whether xi lies within the faces' tolerance of a face: |J^-1| times the uncertainty of Phi and
 /// y; true where J is singular.
 bool IsOnFace(const InverseProblem& problem, const Vec3& xi);
+
+/// Whether xi lies on the face of a surface in space (ShellFace), within the tolerance with which
+/// roots beyond it are accepted: kMaxMiss times the faces' tolerance.
+bool IsOnShell(const InverseProblem& problem, const Vec3& xi);
 } // namespace pixelexact

@@ -2,7 +2,6 @@
 #include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pixelexact
 {
@@ -102,13 +101,6 @@ Vec3 Centre(Shape shape)
     default:
       return { -0.2, -0.2, -0.6 };
   }
-}
-
-bool IsOnShell(Shape shape, const Vec3& xi)
-{
-  constexpr double kBeneath = 1.6e-5;
-  const ShapeFace face = FacesOf(shape)[static_cast<std::size_t>(ShellFace(shape))];
-  return std::fabs(xi[face.direction] - (face.upper ? 1.0 : -1.0)) <= kBeneath;
 }
 
 std::span<const ShapeFace> FacesOf(Shape shape)

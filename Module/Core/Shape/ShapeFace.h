@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Math/Vec.h"
 #include "Core/Shape/Shape.h"
 
 #include <span>
@@ -24,7 +23,4 @@ constexpr int ShellFace(Shape shape)
 {
   return shape == Shape::Prism ? 3 : 5;
 }
-
-/// Whether xi is on that face, or beneath it by no more than rounded coordinates are.
-bool IsOnShell(Shape shape, const Vec3& xi);
 } // namespace pixelexact
