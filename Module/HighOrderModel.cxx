@@ -108,10 +108,7 @@ struct Registry
     return registry;
   }
 };
-} // namespace
 
-namespace
-{
 /// Throws where an expression uses derivatives or det J, which the solids beneath a surface in
 /// space do not have from the source.
 void RequireNoDerivatives(const std::string& text, const FieldExpression& expression)

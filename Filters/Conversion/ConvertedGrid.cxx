@@ -20,7 +20,6 @@ namespace pixelexact
 {
 namespace
 {
-
 /// Whether element e is cell e, and there are no others.
 bool HoldsAllElements(vtkUnstructuredGrid* grid)
 {

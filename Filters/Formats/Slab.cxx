@@ -176,6 +176,13 @@ Space Lifted(const Space& plane)
   return space;
 }
 
+Space PlaneOf(const Space& solid)
+{
+  Space space = solid;
+  space.order[Across(solid.shape)] = 0;
+  return space;
+}
+
 void LiftMap(const Space& plane, std::span<const double> modes, double middle, double half,
   std::span<double> lifted)
 {
@@ -241,15 +248,11 @@ void LiftSurface(const Space& plane, const Space& needed, std::span<const double
     });
 }
 
-namespace
-{
-/// Lifts the surface of one map again.
-void LiftOne(const Space& solid, double thickness, std::span<double> map)
+std::vector<double> SurfaceModes(const Space& solid, std::span<const double> map)
 {
   const std::size_t across = Across(solid.shape);
   const bool isUpper = FacesOf(solid.shape)[static_cast<std::size_t>(ShellFace(solid.shape))].upper;
-  Space plane = solid;
-  plane.order[across] = 0;
+  const Space plane = PlaneOf(solid);
   const auto planeModes = static_cast<std::size_t>(plane.Modes());
   const auto count = static_cast<std::size_t>(solid.Modes());
   std::map<std::array<int, 3>, std::size_t> ofPlane;
@@ -270,9 +273,8 @@ void LiftOne(const Space& solid, double thickness, std::span<double> map)
           sign * map[c * count + static_cast<std::size_t>(mode)];
       }
     });
-  LiftSurface(plane, plane, modes, thickness, map);
+  return modes;
 }
-} // namespace
 
 void LiftAgain(const Slab& slab, std::span<const std::int64_t> numbers, OwnedExpansion& map)
 {
@@ -280,7 +282,10 @@ void LiftAgain(const Slab& slab, std::span<const std::int64_t> numbers, OwnedExp
   {
     try
     {
-      LiftOne(map.SpaceOf(e), slab.thickness, map.Coefficients(e));
+      const Space plane = PlaneOf(map.SpaceOf(e));
+      const auto coefficients = map.Coefficients(e);
+      LiftSurface(
+        plane, plane, SurfaceModes(map.SpaceOf(e), coefficients), slab.thickness, coefficients);
     }
     catch (const InvalidData& error)
     {

@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 // Plane meshes are represented as slabs: triangles become prisms, quadrilaterals hexahedra, whose
 // fields are constant across the slab (bases-and-kernels.md). A plane element's space is that of
@@ -37,6 +38,8 @@ const char* PlaneName(Shape solid);
 
 /// The space of order 1 across.
 Space Lifted(const Space& plane);
+/// The space of order 0 across, of which that is the lifted one.
+Space PlaneOf(const Space& solid);
 
 /// Writes the modes of a map into the slab to `lifted`: three components in the lifted space, from
 /// those of x and y, which follow one another in the plane space. `middle` and `half`: of z, in the
@@ -51,6 +54,9 @@ void LiftMap(const Space& plane, std::span<const double> modes, double middle, d
 /// is that of the element's order of vertices. Throws InvalidData where the surface has no normal.
 void LiftSurface(const Space& plane, const Space& needed, std::span<const double> modes,
   double thickness, std::span<double> lifted);
+
+/// The surface of such a map: its modes in the plane space, x, y and z, one after the other.
+std::vector<double> SurfaceModes(const Space& solid, std::span<const double> map);
 
 /// Replaces such maps, whose surfaces were moved together with their solids, by those of the solids
 /// beneath the moved surfaces. Throws as LiftSurface, naming the element by `numbers`.

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
-// NumberExtremes and sums of arrays of coefficients, in as many lanes as the instruction set has.
-// The bits do not depend on the instruction set.
+// Extremes and sums of arrays of coefficients, in as many lanes as the instruction set has. The
+// bits do not depend on the instruction set.
 namespace pixelexact
 {
 /// The smallest and the largest of some numbers.

@@ -129,9 +129,9 @@ def cut(
         name. field: its name, or an expression of fields as text or as a function of what its
         arguments are named after (lambda u, x: u - numpy.sin(x)); None: the first one.
     normal, origin: of the plane; "x", "y", "z", "-z" or three numbers; a point, a coordinate along
-        the axis, or None: the middle of the box, or all of a mesh that is a surface in space. surface instead: a vtkImplicitFunction, a
-        vtkHighOrderSurface (boundary, iso-surface, patches), or a function that takes points (n, 3)
-        and is 0 on the surface.
+        the axis, or None: the middle of the box, or all of a mesh that is a surface in space.
+        surface instead: a vtkImplicitFunction, a vtkHighOrderSurface (boundary, iso-surface,
+        patches), or a function that takes points (n, 3) and is 0 on the surface.
     {settings}
 
     Raises Error, TypeError or ValueError, which name what is wrong.

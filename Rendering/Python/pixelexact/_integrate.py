@@ -56,11 +56,11 @@ def integrate(
 
     grid, field, normal, origin, warp, warp_direction: as of cut; surface: a vtkImplicitFunction.
     boundary: True for all of the mesh's boundary, or attributes of its parts; a mesh that is a
-    surface in space is its boundary. norms adds L1, L2 and
-    Linf; extremes Minimum and Maximum, whose points are attributes of the result; statistics a
-    number of classes: Variance, Deviation, quantiles ("Quantile 0.5") and the parts of the area in
-    the classes ("Class 1"); correlate another scalar: Correlation. tolerance: of errors, relative to
-    the integral of the magnitude. seconds: a limit of the time; 0: none.
+    surface in space is its boundary. norms adds L1, L2 and Linf; extremes Minimum and Maximum, whose
+    points are attributes of the result; statistics a number of classes: Variance, Deviation,
+    quantiles ("Quantile 0.5") and the parts of the area in the classes ("Class 1"); correlate another
+    scalar: Correlation. tolerance: of errors, relative to the integral of the magnitude. seconds: a
+    limit of the time; 0: none.
     """
     source = warped(source_of(grid, progress), warp, warp_direction, progress)
     name = field_of(source, field)

@@ -86,10 +86,7 @@ JumpFacts FindJumpFacts(const LoadedModel& input, const std::vector<std::string>
 {
   const auto begin = std::chrono::steady_clock::now();
   const HighOrderModel& model = *input.model;
-  if (!names.empty())
-  {
-    model.RequireSolids("--jumps");
-  }
+  model.RequireSolids("--jumps");
   const std::optional<Slab> slab = SlabOf(input.grid);
   JumpFacts facts;
   facts.isPlane = slab.has_value();

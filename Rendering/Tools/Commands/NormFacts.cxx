@@ -68,10 +68,7 @@ NormFacts FindNormFacts(const LoadedModel& input, const std::vector<std::string>
 {
   const auto begin = std::chrono::steady_clock::now();
   const HighOrderModel& model = *input.model;
-  if (!names.empty())
-  {
-    model.RequireSolids("--norms");
-  }
+  model.RequireSolids("--norms");
   const std::optional<Slab> slab = SlabOf(input.grid);
   NormFacts facts;
   facts.isPlane = slab.has_value();

@@ -148,10 +148,8 @@ std::string EncodePng(const Image& image, const PictureFacts& facts, const std::
     // as the PNG specification requires (11.3.4.3).
     constexpr std::size_t kBehindHeader = 8 + 25;
     const auto perMetre = static_cast<std::uint64_t>(std::lround(*facts.dpi * kInchesPerMetre));
-    const std::string chunk = "pHYs" + BigEndian(perMetre, 4) + BigEndian(perMetre, 4) + '\1';
-    const auto sum =
-      crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size()));
-    bytes.insert(kBehindHeader, BigEndian(chunk.size() - 4, 4) + chunk + BigEndian(sum, 4));
+    bytes.insert(
+      kBehindHeader, PngChunk("pHYs", BigEndian(perMetre, 4) + BigEndian(perMetre, 4) + '\1'));
   }
   return bytes;
 }

@@ -4,7 +4,8 @@
 #include "Base/Report.h"
 
 #include "Core/Bounds/ElementBounds.h"
-#include "Core/Shape/ShapeFace.h"
+#include "Core/Element/OwnedExpansion.h"
+#include "Formats/Slab.h"
 #include "Trace/Appearance/FieldRange.h"
 #include "Trace/Scene.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace pixelexact
@@ -63,46 +63,24 @@ double FindEnd(const Mesh& mesh, const std::vector<Box3>& boxes, int d, double s
   return sign * end;
 }
 
-/// The coefficients of the map of a surface in space without the solids beneath: constant across.
-std::vector<double> FaceCoefficients(const Mesh& mesh)
+/// The maps of a surface in space without the solids beneath.
+OwnedExpansion SurfacesOf(const Mesh& mesh)
 {
-  std::vector<double> all(mesh.map.coefficients.begin(), mesh.map.coefficients.end());
+  std::vector<Space> spaces;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
-    const Space& space = mesh.map.SpaceOf(e);
-    const ShapeFace face = FacesOf(space.shape)[static_cast<std::size_t>(ShellFace(space.shape))];
-    const auto across = static_cast<std::size_t>(face.direction);
-    const auto modes = static_cast<std::size_t>(space.Modes());
-    std::map<std::array<int, 3>, std::size_t> along;
-    ForEachMode(space,
-      [&](int p, int q, int r, int mode)
-      {
-        std::array<int, 3> order{ p, q, r };
-        const auto at = static_cast<std::size_t>(mode);
-        if (order[across] == 0)
-        {
-          along[order] = at;
-        }
-      });
-    ForEachMode(space,
-      [&](int p, int q, int r, int mode)
-      {
-        std::array<int, 3> order{ p, q, r };
-        if (order[across] == 0)
-        {
-          return;
-        }
-        order[across] = 0;
-        double* const map = &all[static_cast<std::size_t>(mesh.map.offset[e])];
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          double& own = map[c * modes + static_cast<std::size_t>(mode)];
-          map[c * modes + along.at(order)] += face.upper ? own : -own;
-          own = 0.0;
-        }
-      });
+    spaces.push_back(PlaneOf(mesh.map.SpaceOf(e)));
   }
-  return all;
+  OwnedExpansion surfaces;
+  surfaces.Allocate(spaces, 3);
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    const Space& solid = mesh.map.SpaceOf(e);
+    const std::span map(mesh.map.Coefficients(e), 3 * static_cast<std::size_t>(solid.Modes()));
+    std::ranges::copy(
+      SurfaceModes(solid, map), surfaces.Coefficients(static_cast<std::size_t>(e)).begin());
+  }
+  return surfaces;
 }
 
 nlohmann::ordered_json RangeToJson(const FoundRange& range)
@@ -128,11 +106,10 @@ FoundRanges FindRanges(const Mesh& mesh, const Field& field)
 std::array<double, 6> FindBounds(const Mesh& given)
 {
   Mesh mesh = given;
-  std::vector<double> ofFaces;
+  const OwnedExpansion surfaces = given.isShell ? SurfacesOf(given) : OwnedExpansion();
   if (given.isShell)
   {
-    ofFaces = FaceCoefficients(given);
-    mesh.map.coefficients = ofFaces;
+    mesh.map = surfaces.View();
   }
   std::vector<Box3> boxes(static_cast<std::size_t>(mesh.Elements()));
   tbb::parallel_for(0, mesh.Elements(), [&](int e) { boxes[e] = MakeElementBox(mesh, e); });
