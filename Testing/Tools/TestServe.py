@@ -236,6 +236,19 @@ class Pictures(ServeTest):
         self.assertEqual(header["options"], {**first["options"]})
 
 
+class Figures(ServeTest):
+    options = [*ServeTest.options, "--figure", "--title", "a title", "--mark-extremes", "--font-size", "14"]
+
+    def test_are_saved_and_not_shown(self):
+        page, header = self.open([600, 450])
+        self.assertIn("--mark-extremes", header["command"])
+        page.send(save="png")
+        header, content = page.wait(is_file)
+        folder = self.folder()
+        self.rendered(header["command"], folder)
+        self.assertEqual(content == (folder / header["name"]).read_bytes(), True)
+
+
 class Steps(ServeTest):
     def setUp(self):
         self.steps = self.folder()

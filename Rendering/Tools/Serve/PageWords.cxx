@@ -28,17 +28,13 @@ constexpr std::array<std::string_view, 37> kChangeable{ "--field", "--component"
   "--show-undecided-contours", "--owners", "--show", "--show-undecided", "--mesh-outline",
   "--figure", "--title", "--precision", "--truncate-order" };
 
-constexpr std::array<std::string_view, 13> kSurfaces{ "--plane", "--disc", "--sphere", "--cylinder",
-  "--cone", "--quadric", "--torus", "--box", "--surface", "--patch", "--isosurface", "--boundary",
-  "--faces" };
-
 /// Options of the server, and of files and reports that render writes.
 constexpr std::array<std::string_view, 12> kNotOfPicture{ "--address", "--port", "--views",
   "--output", "--buffers", "--arrays", "--contours-output", "--contours-tolerance", "--json",
   "--quiet", "--jpeg-quality", "--threads" };
 
-constexpr std::array<std::string_view, 5> kOfFigure{ "--figure", "--title", "--font-size", "--dpi",
-  "--fps" };
+/// Options of figures and animations, beside those that need --figure.
+constexpr std::array<std::string_view, 3> kOfFigure{ "--figure", "--dpi", "--fps" };
 
 /// More samples of a pixel take the server long.
 constexpr int kMaxSamples = 8;
@@ -47,6 +43,14 @@ constexpr std::size_t kMaxValue = 4000;
 bool Contains(auto const& names, std::string_view name)
 {
   return std::ranges::find(names, name) != names.end();
+}
+
+/// Whether an option gives a surface or belongs to one, so that another surface replaces it.
+bool IsOfSurface(std::string_view option)
+{
+  const Setting* const row = FindSetting("serve", option);
+  return row != nullptr && row->group == FindSetting("serve", "--plane")->group &&
+    option != "--clip";
 }
 
 std::vector<std::string> Without(const std::vector<std::string>& words, auto const& isRemoved)
@@ -90,8 +94,13 @@ std::vector<std::string> WordsOfPicture(const std::vector<std::string>& words)
 
 std::vector<std::string> WithoutFigure(const std::vector<std::string>& words)
 {
-  return Without(
-    words, [](const std::string& word) { return Contains(kOfFigure, OptionOf(word)); });
+  return Without(words,
+    [](const std::string& word)
+    {
+      const std::string option = OptionOf(word);
+      const Setting* const row = FindSetting("serve", option);
+      return Contains(kOfFigure, option) || (row != nullptr && row->needs == "--figure");
+    });
 }
 
 std::vector<std::string> WithOption(const std::vector<std::string>& words,
@@ -112,7 +121,7 @@ std::vector<std::string> WithOption(const std::vector<std::string>& words,
   }
   std::vector<std::string> changed = words;
   const auto first = std::ranges::find(changed, option, OptionOf);
-  const bool isSurface = Contains(kSurfaces, option);
+  const bool isSurface = IsOfSurface(option);
   if (value && first != changed.end())
   {
     *first = word;
@@ -125,12 +134,7 @@ std::vector<std::string> WithOption(const std::vector<std::string>& words,
   {
     if (isSurface)
     {
-      changed = Without(changed,
-        [](const std::string& old)
-        {
-          const std::string name = OptionOf(old);
-          return Contains(kSurfaces, name) || name == "--layer" || name == "--jump-walls";
-        });
+      changed = Without(changed, [](const std::string& old) { return IsOfSurface(OptionOf(old)); });
     }
     changed.insert(std::ranges::find(changed, "--"), word);
   }
