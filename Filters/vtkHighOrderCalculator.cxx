@@ -2,6 +2,7 @@
 #include "vtkHighOrderCalculator.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Expression/Expression.h"
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
@@ -16,8 +17,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -53,15 +52,6 @@ void AddDefinition(const std::string& name, const std::string& text, vtkUnstruct
   definition->SetName((kDefinitionPrefix + name).c_str());
   definition->InsertNextValue(text);
   grid->GetFieldData()->AddArray(definition);
-}
-
-/// The shortest digits that round to the number, in brackets.
-std::string Bracketed(double number)
-{
-  std::array<char, 32> text{};
-  const auto length =
-    std::to_chars(text.data(), text.data() + text.size(), number).ptr - text.data();
-  return "(" + std::string(text.data(), static_cast<std::size_t>(length)) + ")";
 }
 } // namespace
 
@@ -102,8 +92,8 @@ int vtkHighOrderCalculator::DefinePhase(vtkUnstructuredGrid* grid, double degree
       continue;
     }
     std::string text = "'";
-    text.append(real).append("'*").append(Bracketed(cosine)).append(" - '");
-    text.append(name).append("_imag'*").append(Bracketed(sine));
+    text.append(real).append("'*").append(NumberText(cosine)).append(" - '");
+    text.append(name).append("_imag'*").append(NumberText(sine));
     AddDefinition(name, text, grid);
     ++defined;
   }

@@ -27,10 +27,10 @@ using namespace pixelexact;
 constexpr unsigned char kNoElement = 255;
 
 /// Two arrays of bounds, NaN to begin with.
-class BoundArrays
+class CellBounds
 {
 public:
-  BoundArrays(const std::string& lower, const std::string& upper, int components, vtkIdType cells)
+  CellBounds(const std::string& lower, const std::string& upper, int components, vtkIdType cells)
     : Lower(Make(lower, components, cells))
     , Upper(Make(upper, components, cells))
   {
@@ -127,7 +127,7 @@ bool vtkHighOrderCertifier::Make(vtkDataObject* input, vtkDataObject* output)
   verdict->SetName("Verdict");
   verdict->SetNumberOfValues(count);
   verdict->FillValue(kNoElement);
-  BoundArrays bounds("JacobianLower", "JacobianUpper", 1, count);
+  CellBounds bounds("JacobianLower", "JacobianUpper", 1, count);
   for (std::size_t e = 0; e < cells.size(); ++e)
   {
     verdict->SetValue(cells[e], static_cast<unsigned char>(validity[e].validity));
@@ -143,7 +143,7 @@ bool vtkHighOrderCertifier::Make(vtkDataObject* input, vtkDataObject* output)
   if (field)
   {
     const int components = field->values.components;
-    BoundArrays values(this->FieldName + "_lower", this->FieldName + "_upper", components, count);
+    CellBounds values(this->FieldName + "_lower", this->FieldName + "_upper", components, count);
     for (int c = 0; c < components; ++c)
     {
       const auto ranges = ElementRanges(mesh, { Quantity::Component, field, c }, effort, next());

@@ -5,6 +5,7 @@
 #include "HighOrderModel.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Expression/Expression.h"
 #include "Core/Integral/IntegralCut.h"
 
 #include <algorithm>
@@ -25,15 +26,6 @@ constexpr double kPartTolerance = 1e-6;
 constexpr double kQuantileWidth = 1e-3;
 constexpr int kQuantileSteps = 12;
 constexpr std::array kQuantiles{ 0.05, 0.25, 0.5, 0.75, 0.95 };
-
-/// A number as an expression reads it back.
-std::string TextOf(double number)
-{
-  std::ostringstream text;
-  text.precision(17);
-  text << "(" << number << ")";
-  return text.str();
-}
 
 std::string PercentText(double part)
 {
@@ -205,7 +197,7 @@ private:
     moments.about = moments.mean.IsFinite() ? moments.mean.Middle() : 0.0;
     moments.offset = moments.mean - Interval(moments.about);
     const Interval square =
-      Integral("(" + operand + "-" + TextOf(moments.about) + ")^2", Request.effort.tolerance);
+      Integral("(" + operand + "-" + NumberText(moments.about) + ")^2", Request.effort.tolerance);
     moments.variance = square / Area - Square(moments.offset);
     moments.variance.lower = std::max(moments.variance.lower, 0.0);
     return moments;
@@ -322,8 +314,8 @@ private:
     const std::string second = AsOperand(Model, Request.with);
     const Moments own = MomentsOf(Operand, Given.sums[1]);
     const Moments its = MomentsOf(second, Integral(second, Request.effort.tolerance));
-    const Interval product = Integral(
-      "(" + Operand + "-" + TextOf(own.about) + ")*(" + second + "-" + TextOf(its.about) + ")",
+    const Interval product = Integral("(" + Operand + "-" + NumberText(own.about) + ")*(" + second +
+        "-" + NumberText(its.about) + ")",
       Request.effort.tolerance);
     const Interval covariance = product / Area - own.offset * its.offset;
     const Interval scale = Sqrt(own.variance) * Sqrt(its.variance);

@@ -32,10 +32,10 @@ constexpr double kMinArea = 1e-14;
 /// The largest order of the polynomial that stands for a surface's normal.
 constexpr int kNormalOrder = 3;
 
-/// The direction of xi that leads across a slab.
+/// The direction of xi that leads across a slab, as that of eta does.
 std::size_t Across(Shape shape)
 {
-  return shape == Shape::Prism ? 1 : 2;
+  return static_cast<std::size_t>(AcrossSlab(shape));
 }
 
 /// The directions of xi in the plane, which are x and y there.

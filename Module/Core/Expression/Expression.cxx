@@ -12,6 +12,8 @@
 #include <tbb/collaborative_call_once.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <utility>
 
 namespace pixelexact
@@ -284,6 +286,14 @@ void RequireSurfaceRange(const Mesh& mesh, const Field& field)
       "' uses coordinates, and the mesh is a surface in space: ranges and extremes are available "
       "for expressions of fields alone; integrate --extremes finds those of all others");
   }
+}
+
+std::string NumberText(double number)
+{
+  std::array<char, 32> text{};
+  const auto length =
+    std::to_chars(text.data(), text.data() + text.size(), number).ptr - text.data();
+  return "(" + std::string(text.data(), static_cast<std::size_t>(length)) + ")";
 }
 
 bool IsMoreThanName(const std::string& text)

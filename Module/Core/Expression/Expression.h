@@ -59,6 +59,9 @@ public:
 /// that of the solids beneath: for expressions of coordinates or normals.
 void RequireSurfaceRange(const Mesh& mesh, const Field& field);
 
+/// A number as an expression reads it back, in brackets: the shortest digits that round to it.
+[[nodiscard]] std::string NumberText(double number);
+
 /// Whether a text contains operators, brackets or quotes, and so is not meant as a plain name.
 [[nodiscard]] bool IsMoreThanName(const std::string& text);
 } // namespace pixelexact

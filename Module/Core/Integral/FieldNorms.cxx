@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/FieldFunction.h"
+#include "Core/Element/JacobianAlgebra.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Element/LaneBuffer.h"
 #include "Core/Element/MeshRanges.h"
@@ -10,7 +11,7 @@
 #include "Core/Faces/FacePlaces.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Vec.h"
-#include "Core/Shape/Shape.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <tbb/parallel_for.h>
 
@@ -191,7 +192,7 @@ private:
   /// The direction of eta across the slab; -1: there is none.
   [[nodiscard]] int Across(int element) const
   {
-    return !IsPlane ? -1 : mesh_.ShapeOf(element) == Shape::Prism ? 1 : 2;
+    return IsPlane ? AcrossSlab(mesh_.ShapeOf(element)) : -1;
   }
 
   /// Adds the children's errors to `errors`.
@@ -305,16 +306,12 @@ private:
     std::vector<double> determinants(xi.size());
     for (std::size_t i = 0; i < xi.size(); ++i)
     {
-      const auto at = [&](std::size_t row, std::size_t column)
-      { return a[3 + 3 * row + column][i]; };
-      double determinant = 0.0;
-      for (std::size_t c = 0; c < 3; ++c)
+      std::array<double, 9> jacobian{};
+      for (std::size_t k = 0; k < jacobian.size(); ++k)
       {
-        const std::size_t second = (c + 1) % 3;
-        const std::size_t third = (c + 2) % 3;
-        determinant += at(0, c) * (at(1, second) * at(2, third) - at(1, third) * at(2, second));
+        jacobian[k] = a[3 + k][i];
       }
-      determinants[i] = determinant * size * size * size;
+      determinants[i] = Determinant<double>(jacobian) * size * size * size;
     }
     return determinants;
   }

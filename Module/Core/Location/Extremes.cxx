@@ -14,12 +14,6 @@ namespace pixelexact
 {
 namespace
 {
-/// The direction of eta across the slab that stands for a plane mesh.
-int AcrossSlab(Shape shape)
-{
-  return shape == Shape::Prism ? 1 : 2;
-}
-
 /// The quantity at a point, as EvaluateAt computes the field.
 double ValueAt(const Mesh& mesh, const RangeQuestion& question, int element, const Vec3& xi)
 {

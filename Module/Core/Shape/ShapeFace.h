@@ -17,6 +17,13 @@ struct ShapeFace
 /// All faces of a shape.
 std::span<const ShapeFace> FacesOf(Shape shape);
 
+/// The direction of eta across the slab that stands for a plane mesh, whose elements are prisms and
+/// hexahedra.
+constexpr int AcrossSlab(Shape shape)
+{
+  return shape == Shape::Prism ? 1 : 2;
+}
+
 /// The face of a prism or hexahedron that stands for a triangle or quadrilateral of a surface in
 /// space. The solid beneath it is there for the kernels alone.
 constexpr int ShellFace(Shape shape)
