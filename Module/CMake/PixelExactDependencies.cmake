@@ -94,6 +94,7 @@ if(PIXELEXACT_BUILD_SERVE)
     set(PIXELEXACT_BUILD_SERVE OFF)
   endif()
 endif()
+find_package(PNG REQUIRED)
 find_package(TIFF REQUIRED)
 # The component CXX of CMake 3.25 forgets where it is.
 find_library(TIFF_STREAM_LIBRARY tiffxx REQUIRED)

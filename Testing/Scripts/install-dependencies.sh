@@ -9,7 +9,7 @@ set -euo pipefail
 packages=(
   ca-certificates cmake g++ ninja-build
   libcairo2-dev libcli11-dev libeigen3-dev libembree-dev libfmt-dev libfontconfig-dev libfreetype-dev
-  libglm-dev libhdf5-dev libhwy-dev libpugixml-dev libtbb-dev libtiff-dev libvtk9-dev
+  libglm-dev libhdf5-dev libhwy-dev libpng-dev libpugixml-dev libtbb-dev libtiff-dev libvtk9-dev
   libwebsockets-dev libxxhash-dev
   mpi-default-dev nlohmann-json3-dev pkg-config tao-pegtl-dev zlib1g-dev
   python3 python3-dev python3-numpy python3-vtk9

@@ -4,10 +4,14 @@
 import csv
 import io
 import json
+import math
+import os
 import random
 import re
 import shlex
+import signal
 import socket
+import subprocess
 import tempfile
 import time
 import unittest
@@ -15,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 from browser import Refused, Server, WebSocket, request
-from tool import DATA, case, read_image, run
+from tool import CUBE, DATA, TOOL, case, read_image, run, unit_cube_grid
 
 TORUS = case("toroid_hex_g3_p6")
 SIZE = [120, 90]
@@ -167,6 +171,49 @@ class Pictures(ServeTest):
             self.assertTrue(header["name"].endswith("." + suffix))
             self.assertEqual(content == written, True, suffix)
 
+    def test_files_give_way_to_pictures(self):
+        """A page gets its pictures while a large file of another page is drawn."""
+        slow, _ = self.open()
+        quick, _ = self.open()
+        slow.send(size=[1600, 1200], set={"--contours": "25", "--samples": "8"})
+        slow.send(save="vti")
+        slow.link.setblocking(False)
+        for _ in range(3):
+            quick.send(turn=[0.1, 0.0])
+            quick.wait(is_exact)
+        # What has come until now is no file.
+        early = b""
+        try:
+            while part := slow.link.recv(1 << 20):
+                early += part
+        except BlockingIOError:
+            pass
+        self.assertNotIn(b'{"kind":"file"', early)
+        self.assertIn(b'"exact":false', early)
+        slow.link.settimeout(300)
+        slow.close()
+
+    def test_waiting_files(self):
+        """A few files may wait for a page, and come one after the other."""
+        page, _ = self.open([600, 450])
+        for _ in range(12):
+            page.send(save="png")
+        seen = []
+        while seen.count("file") + seen.count("failure") < 12:
+            header, _ = page.receive()
+            seen.append(header["kind"])
+            if header["kind"] == "failure":
+                self.assertIn("files wait", header["text"])
+        self.assertGreaterEqual(seen.count("file"), 4)
+        page.send(save="png")
+        self.assertTrue(page.wait(is_file)[1])
+
+    def test_a_file_that_fails_leaves_the_picture(self):
+        page, before = self.open()
+        page.send(turn=[0.2, 0.0], save="exe")
+        page.wait(is_failure)
+        self.assertNotEqual(page.wait(is_exact)[0]["command"], before["command"])
+
     def test_expressions(self):
         page, _ = self.open()
         page.send(set={"--field": "mag(grad(u))"})
@@ -271,6 +318,93 @@ class Steps(ServeTest):
             page.send(set={"--time-step": "7"})
             self.assertIn("3 time steps", page.wait(is_failure)[0]["text"])
             self.assertEqual(page.wait(is_exact)[0]["step"], 2)
+
+    def test_a_file_without_steps(self):
+        """It has the step 0 alone, as for render."""
+        done = run("render", TORUS, "--time-step", "1", "--output", self.folder() / "x.png")
+        self.assertEqual(done.returncode, 1)
+        page, before = self.open()
+        page.send(set={"--time-step": "1"})
+        text = page.wait(is_failure)[0]["text"]
+        self.assertIn("no time steps", text)
+        self.assertIn(text.split("';")[-1], done.stderr)
+        page.send(set={"--time-step": "0"})
+        self.assertEqual(page.wait(is_exact)[0]["pixels"], before["pixels"])
+
+
+class Cameras(ServeTest):
+    options = [*ServeTest.options, "--view", "+x"]
+
+    def test_first_picture_that_fails_keeps_the_view(self):
+        _, right = self.open()
+        page = self.server.connect()
+        self.addCleanup(page.close)
+        page.send(size=SIZE, set={"--field": "nothing"})
+        page.wait(is_failure)
+        self.assertEqual(page.wait(is_exact)[0]["command"], right["command"])
+
+
+class Phases(ServeTest):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="pixelexact-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.cube = Path(folder.name) / "cube.vtu"
+        fields = [("p_real", [p[0] for p in CUBE]), ("p_imag", [p[1] for p in CUBE])]
+        cls.cube.write_text(unit_cube_grid(fields), encoding="utf-8")
+        cls.server = Server(cls.cube, "--plane", "z", "--field", "p_real")
+
+    def test_fields_at_a_phase(self):
+        page, first = self.open()
+        self.assertTrue(first["complex"])
+        self.assertEqual([one["name"] for one in first["fields"]], ["p_real", "p_imag"])
+        for degrees in ("90", "30", "-225"):
+            page.send(set={"--phase": degrees, "--field": "p"})
+            header, _ = page.wait(is_exact)
+            self.assertIn({"name": "p", "components": 1}, header["fields"])
+            page.send(hover=[SIZE[0] // 2 + 7, SIZE[1] // 2 - 5])
+            value, _ = page.wait(is_hover)
+            x, y, _ = value["position"]
+            angle = math.radians(float(degrees))
+            self.assertAlmostEqual(value["value"], x * math.cos(angle) - y * math.sin(angle), places=14)
+        page.send(set={"--phase": None, "--field": "p_imag"})
+        self.assertNotIn("--phase", page.wait(is_exact)[0]["options"])
+
+    def test_wrong_phases(self):
+        page, before = self.open()
+        for value in ("x", "nan", "1,2", "1e999"):
+            page.send(set={"--phase": value})
+            self.assertEqual(page.wait(is_failure)[0]["options"], before["options"])
+
+
+class Ends(unittest.TestCase):
+    def folder(self):
+        folder = tempfile.TemporaryDirectory(prefix="pixelexact-")
+        self.addCleanup(folder.cleanup)
+        return Path(folder.name)
+
+    def test_signals_while_a_file_is_read(self):
+        """A pipe that nobody writes is read for ever."""
+        pipe = self.folder() / "pipe.vtu"
+        os.mkfifo(pipe)
+        for number in (signal.SIGTERM, signal.SIGINT):
+            process = subprocess.Popen([TOOL, "serve", pipe, "--plane", "z"], stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True)
+            with open(pipe, "wb"):  # once the program has opened it
+                time.sleep(0.2)
+                process.send_signal(number)
+                output, messages = process.communicate(timeout=60)
+            self.assertEqual((process.returncode, output), (-number, ""), messages)
+            self.assertIn(f"ended by {number.name}", messages)
+
+    def test_signals_while_a_picture_is_drawn(self):
+        with Server(TORUS, "--plane", "z", "--samples", "8", "--contours", "25") as server, server.connect() as page:
+            page.send(size=[2000, 2000])
+            page.send(save="vti")
+            page.receive()
+            server.process.terminate()
+            server.process.communicate(timeout=60)
+            self.assertEqual(server.process.returncode, 0)
 
 
 class Refusals(ServeTest):

@@ -1,92 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of serve in headless Chromium: each control does what it says. Where Chromium and its driver are.
+"""The page of serve in headless Chromium: each control does what it says. Where Chromium and its driver are."""
 
-PIXELEXACT_SCREENSHOTS=FOLDER keeps pictures of the page.
-"""
-
-import base64
-import json
-import os
-import shutil
-import subprocess
-import tempfile
 import time
 import unittest
-import urllib.request
-from pathlib import Path
 
 from browser import Server
+from chromium import CHROMIUM, DOWN, DRIVER, UP, WAIT, Chromium, pointer, to
 from tool import case
 
 TORUS = case("toroid_hex_g3_p6")
-DRIVER = shutil.which("chromedriver")
-CHROMIUM = shutil.which("chromium")
-SCREENSHOTS = os.environ.get("PIXELEXACT_SCREENSHOTS")
-
-
-class Chromium:
-    """A browser driven by the W3C's WebDriver protocol."""
-
-    def __init__(self, width, height, touch=False):
-        self.profile = tempfile.mkdtemp(prefix="pixelexact-")
-        self.driver = subprocess.Popen([DRIVER, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        port = None
-        for line in self.driver.stdout:
-            if "started successfully on port" in line:
-                port = int(line.rstrip(" .\n").rsplit(" ", 1)[1])
-                break
-        self.base = f"http://127.0.0.1:{port}"
-        chrome = {
-            "binary": CHROMIUM,
-            "args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     f"--window-size={width},{height}", f"--user-data-dir={self.profile}"],
-            "prefs": {"download.default_directory": self.profile},
-        }
-        if touch:
-            chrome["mobileEmulation"] = {"deviceMetrics": {"width": width, "height": height, "pixelRatio": 2, "touch": True}}
-        answer = self._call("/session", {"capabilities": {"alwaysMatch": {"goog:chromeOptions": chrome}}})
-        self.base += "/session/" + answer["sessionId"]
-
-    def _call(self, path, body=None):
-        data = None if body is None else json.dumps(body).encode()
-        with urllib.request.urlopen(urllib.request.Request(self.base + path, data=data), timeout=120) as answer:
-            return json.load(answer)["value"]
-
-    def open(self, address):
-        self._call("/url", {"url": address})
-
-    def run(self, script, *arguments):
-        return self._call("/execute/sync", {"script": script, "args": list(arguments)})
-
-    def act(self, *sources):
-        self._call("/actions", {"actions": list(sources)})
-
-    def screenshot(self, name):
-        content = base64.b64decode(self._call("/screenshot"))
-        if SCREENSHOTS:
-            Path(SCREENSHOTS, name).write_bytes(content)
-        return content
-
-    def close(self):
-        try:
-            urllib.request.urlopen(urllib.request.Request(self.base, method="DELETE"), timeout=60).close()
-        finally:
-            self.driver.terminate()
-            self.driver.communicate()
-            shutil.rmtree(self.profile, ignore_errors=True)
-
-
-def pointer(name, *steps, kind="mouse"):
-    return {"type": "pointer", "id": name, "parameters": {"pointerType": kind}, "actions": list(steps)}
-
-
-def to(x, y, duration=0):
-    return {"type": "pointerMove", "x": int(x), "y": int(y), "duration": duration}
-
-
-DOWN = {"type": "pointerDown", "button": 0}
-UP = {"type": "pointerUp", "button": 0}
-WAIT = {"type": "pause", "duration": 50}
 
 
 @unittest.skipUnless(DRIVER and CHROMIUM, "chromium or chromium-driver is not installed")
@@ -103,11 +25,7 @@ class PageTest(unittest.TestCase):
         self.wait("document.body.dataset.exact > 0")
 
     def wait(self, condition, seconds=60):
-        end = time.monotonic() + seconds
-        while not self.page.run(f"return Boolean({condition})"):
-            if time.monotonic() > end:
-                self.fail(f"{condition}: {self.page.run('return $(`message`).textContent')}")
-            time.sleep(0.02)
+        self.page.wait(condition, seconds, note="$('message').textContent")
 
     def still(self):
         """Waits until the last change is drawn exactly."""

@@ -3,7 +3,9 @@
 
 #include "Files/GridFiles.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkLogger.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -69,5 +71,28 @@ std::string VtkMessages::FirstGenericWarning() const
 std::vector<std::string> VtkMessages::Warnings() const
 {
   return static_cast<RecordingWindow*>(Recorder.Get())->Warnings;
+}
+
+ErrorsOfObject::ErrorsOfObject(vtkObject& object)
+  : Object(&object)
+{
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetClientData(this);
+  onError->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+    { static_cast<ErrorsOfObject*>(self)->Keep(text); });
+  Observer = Object->AddObserver(vtkCommand::ErrorEvent, onError);
+}
+
+ErrorsOfObject::~ErrorsOfObject()
+{
+  Object->RemoveObserver(Observer);
+}
+
+void ErrorsOfObject::Keep(void* text)
+{
+  if (first_.empty() && text != nullptr)
+  {
+    first_ = MessageEssence(static_cast<const char*>(text));
+  }
 }
 } // namespace pixelexact

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+class vtkObject;
 class vtkOutputWindow;
 
 namespace pixelexact
@@ -31,5 +32,26 @@ public:
 private:
   vtkSmartPointer<vtkOutputWindow> Before;
   vtkSmartPointer<vtkOutputWindow> Recorder;
+};
+
+/// Collects the errors of one VTK object, as a writer, during its lifetime instead of printing
+/// them. Several may exist at once, on any threads.
+class ErrorsOfObject
+{
+public:
+  explicit ErrorsOfObject(vtkObject& object);
+  ~ErrorsOfObject();
+  ErrorsOfObject(const ErrorsOfObject&) = delete;
+  ErrorsOfObject& operator=(const ErrorsOfObject&) = delete;
+
+  /// The first error, without the file name and line of VTK's sources; empty: none.
+  [[nodiscard]] const std::string& First() const { return first_; }
+
+private:
+  void Keep(void* text);
+
+  vtkSmartPointer<vtkObject> Object;
+  unsigned long Observer;
+  std::string first_;
 };
 } // namespace pixelexact

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <utility>
 
@@ -51,10 +52,14 @@ bool HasLetters(FcPattern* font, const Letters& letters)
 
 void WarnOfMissing(const std::string& text)
 {
+  static std::mutex mutex;
   static std::set<std::string> warned;
-  if (!warned.insert(text).second)
   {
-    return;
+    const std::lock_guard lock(mutex);
+    if (!warned.insert(text).second)
+    {
+      return;
+    }
   }
   Warn(
     "'" + text + "' has letters that no font at hand holds; name one that does with --font FILE");
@@ -125,6 +130,27 @@ FT_Library Library()
   return kLibrary;
 }
 
+/// FreeType creates and frees the faces of a library on one thread at a time.
+std::mutex& FacesMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+FT_Face OpenFace(const std::string& file)
+{
+  FT_Face face = nullptr;
+  FT_Library library = Library();
+  const std::lock_guard lock(FacesMutex());
+  return FT_New_Face(library, file.c_str(), 0, &face) == 0 ? face : nullptr;
+}
+
+void CloseFace(void* face)
+{
+  const std::lock_guard lock(FacesMutex());
+  FT_Done_Face(static_cast<FT_Face>(face));
+}
+
 cairo_font_face_t* MakeFace(const FontChoice& font)
 {
   if (font.family != FontChoice::Family::File)
@@ -133,16 +159,15 @@ cairo_font_face_t* MakeFace(const FontChoice& font)
       font.family == FontChoice::Family::Serif ? "Times New Roman" : "Arial",
       CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   }
-  FT_Face face = nullptr;
-  if (FT_New_Face(Library(), font.file.c_str(), 0, &face) != 0)
+  FT_Face face = OpenFace(font.file);
+  if (face == nullptr)
   {
     throw Error("--font: '" + font.file + "' cannot be read");
   }
   cairo_font_face_t* made = cairo_ft_font_face_create_for_ft_face(face, 0);
   // cairo caches font faces, so FreeType's face is freed with the cache entry.
   static const cairo_user_data_key_t kKey{};
-  cairo_font_face_set_user_data(
-    made, &kKey, face, [](void* of) { FT_Done_Face(static_cast<FT_Face>(of)); });
+  cairo_font_face_set_user_data(made, &kKey, face, &CloseFace);
   return made;
 }
 } // namespace

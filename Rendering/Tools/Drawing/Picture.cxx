@@ -28,12 +28,12 @@ namespace
 template <class Writer>
 void Encode(Writer& writer, const std::string& file, vtkDataObject* data)
 {
-  const VtkMessages messages;
+  const ErrorsOfObject errors(writer);
   writer.SetInputData(data);
   writer.Write();
-  if (const std::string error = messages.FirstError(); !error.empty())
+  if (!errors.First().empty())
   {
-    throw Error("cannot write '" + file + "': " + error);
+    throw Error("cannot write '" + file + "': " + errors.First());
   }
 }
 

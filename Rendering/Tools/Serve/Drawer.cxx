@@ -31,6 +31,7 @@ private:
 
 Drawer::Drawer(ServedInput& input)
   : Input(input)
+  , Files([this] { Wake(); })
   , Thread([this] { Run(); })
 {
 }
@@ -50,20 +51,21 @@ Drawer::~Drawer()
 std::unique_ptr<PageClient> Drawer::Open(
   const std::vector<std::string>& words, std::shared_ptr<Outbox> outbox)
 {
-  auto opened = std::make_shared<ServedView>(words, std::move(outbox),
-    [this]
-    {
-      {
-        const std::lock_guard lock(Mutex);
-        Woken = true;
-      }
-      Condition.notify_all();
-    });
+  auto opened = std::make_shared<ServedView>(words, std::move(outbox), [this] { Wake(); });
   {
     const std::lock_guard lock(Mutex);
     Views.push_back(opened);
   }
   return std::make_unique<ViewClient>(std::move(opened));
+}
+
+void Drawer::Wake()
+{
+  {
+    const std::lock_guard lock(Mutex);
+    Woken = true;
+  }
+  Condition.notify_all();
 }
 
 std::shared_ptr<ServedView> Drawer::Next()
@@ -77,7 +79,7 @@ std::shared_ptr<ServedView> Drawer::Next()
   for (std::size_t k = 0; k < Views.size(); ++k)
   {
     const auto& view = Views[(first + k) % Views.size()];
-    if (const auto next = view->Next(); next < best)
+    if (const auto next = view->Next(Files); next < best)
     {
       best = next;
       chosen = view;
@@ -95,7 +97,7 @@ std::shared_ptr<ServedView> Drawer::Next()
   }
   else
   {
-    // Without work, views of browsers that left are removed soon.
+    // Without work, views of browsers that left are removed soon, and files follow that were sent.
     Condition.wait_for(lock, std::chrono::seconds(1), isWoken);
   }
   return nullptr;
@@ -105,8 +107,8 @@ bool Drawer::AreOthersChanged(const ServedView* view)
 {
   const std::lock_guard lock(Mutex);
   return std::ranges::any_of(Views,
-    [view](const auto& other)
-    { return other.get() != view && other->Next().first == ServedView::Work::Change; });
+    [this, view](const auto& other)
+    { return other.get() != view && other->Next(Files).first == ServedView::Work::Change; });
 }
 
 void Drawer::Run()
@@ -122,7 +124,7 @@ void Drawer::Run()
     }
     if (const std::shared_ptr<ServedView> view = Next())
     {
-      view->Perform(Input, [this, &view] { return AreOthersChanged(view.get()); });
+      view->Perform(Input, Files, [this, &view] { return AreOthersChanged(view.get()); });
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Serve/FileDrawer.h"
 #include "Serve/PageServer.h"
 #include "Serve/ServedView.h"
 
@@ -16,7 +17,7 @@ namespace pixelexact
 class ServedInput;
 
 /// Draws the pictures of all pages, on a thread of its own that uses all processors. Changes
-/// precede exact pictures, and pages take turns.
+/// precede exact pictures, and pages take turns. Files that pages save are drawn beside them.
 class Drawer
 {
 public:
@@ -32,6 +33,8 @@ public:
 
 private:
   void Run();
+  /// There may be work. Any thread.
+  void Wake();
   /// Removes the views of browsers that left, and returns the next one that has work, or null after
   /// waiting for some.
   std::shared_ptr<ServedView> Next();
@@ -45,6 +48,7 @@ private:
   bool Woken = false;
   std::vector<std::shared_ptr<ServedView>> Views;
   std::size_t Turn = 0; ///< the view that is first among equally urgent ones
+  FileDrawer Files;
   std::thread Thread;
 };
 } // namespace pixelexact

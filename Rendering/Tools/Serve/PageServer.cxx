@@ -2,6 +2,8 @@
 #include "Serve/PageServer.h"
 
 #include "Serve/Access.h"
+#include "Serve/HttpAnswer.h"
+#include "Serve/PageSocket.h"
 #include "Serve/SocketOutbox.h"
 
 #include "Core/Base/Error.h"
@@ -11,63 +13,18 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
-#include <cstring>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace pixelexact
 {
 namespace
 {
-using ServerClock = std::chrono::steady_clock;
-
-/// Bytes of one write, after which other connections are served.
-constexpr std::size_t kWriteBytes = 65536;
-/// Messages that a browser may send at once after a pause.
-constexpr double kBurst = 600.0;
-
-/// The headers of the page. Its script and style are inside it, and it loads nothing.
-constexpr std::array kPageHeaders{ std::pair{ "content-security-policy:",
-                                     "default-src 'none'; script-src 'unsafe-inline'; style-src "
-                                     "'unsafe-inline'; img-src blob: data:; connect-src 'self'; "
-                                     "base-uri 'none'; form-action 'none'" },
-  std::pair{ "x-content-type-options:", "nosniff" }, std::pair{ "referrer-policy:", "no-referrer" },
-  std::pair{ "cache-control:", "no-store" } };
-
-/// A WebSocket.
-struct Connection
-{
-  std::shared_ptr<SocketOutbox> outbox;
-  std::unique_ptr<PageClient> client;
-  std::string received; ///< the parts of an unfinished message
-  OutgoingMessage sending;
-  std::size_t sent = 0; ///< bytes of `sending`
-  bool isSending = false;
-  bool isTimed = false; ///< the browser must take what was sent within kPatience
-  bool isClosing = false;
-  double credit = kBurst;
-  ServerClock::time_point credited = ServerClock::now();
-
-  /// Whether one more message keeps within the rate.
-  bool Admit()
-  {
-    const auto now = ServerClock::now();
-    const std::chrono::duration<double> passed = now - credited;
-    credited = now;
-    credit = std::min(kBurst, credit + passed.count() * PageServer::kMaxRate) - 1.0;
-    return credit >= 0.0;
-  }
-};
-
 /// libwebsockets allocates and clears one for each connection.
 struct Socket
 {
-  Connection* connection; ///< null: no WebSocket, or none that was accepted
+  PageSocket* page; ///< null: no WebSocket, or none that was accepted
   std::size_t sentOfPage;
 };
 
@@ -92,83 +49,6 @@ bool HasAddress(const std::string& address)
   return isBound;
 }
 
-std::string HeaderOf(lws* socket, lws_token_indexes header)
-{
-  constexpr int kMaxHeader = 1024;
-  const int length = lws_hdr_total_length(socket, header);
-  if (length <= 0 || length >= kMaxHeader)
-  {
-    return {};
-  }
-  std::array<char, kMaxHeader> text{};
-  const int copied = lws_hdr_copy(socket, text.data(), kMaxHeader, header);
-  return copied > 0 ? std::string(text.data(), static_cast<std::size_t>(copied)) : std::string();
-}
-
-/// The argument token of the address.
-std::string TokenOf(lws* socket)
-{
-  constexpr std::string_view kName = "token=";
-  std::array<char, 256> text{};
-  for (int k = 0; k < 8; ++k)
-  {
-    const int length = lws_hdr_copy_fragment(
-      socket, text.data(), static_cast<int>(text.size()), WSI_TOKEN_HTTP_URI_ARGS, k);
-    if (length < 0)
-    {
-      return {};
-    }
-    const std::string_view argument(text.data(), static_cast<std::size_t>(length));
-    if (argument.starts_with(kName))
-    {
-      return std::string(argument.substr(kName.size()));
-    }
-  }
-  return {};
-}
-
-/// Writes headers of a response with `length` bytes of content. Returns whether that succeeded.
-bool WriteHeaders(lws* socket, unsigned status, std::size_t length)
-{
-  std::array<unsigned char, LWS_PRE + 2048> buffer{};
-  unsigned char* const start = &buffer[LWS_PRE];
-  unsigned char* at = start;
-  unsigned char* const end = buffer.data() + buffer.size() - 1;
-  const bool isPage = status == HTTP_STATUS_OK;
-  if (lws_add_http_common_headers(
-        socket, status, isPage ? "text/html; charset=utf-8" : nullptr, length, &at, end) != 0)
-  {
-    return false;
-  }
-  for (const auto& [name, value] : kPageHeaders)
-  {
-    if (lws_add_http_header_by_name(socket, reinterpret_cast<const unsigned char*>(name),
-          reinterpret_cast<const unsigned char*>(value), static_cast<int>(std::strlen(value)), &at,
-          end) != 0)
-    {
-      return false;
-    }
-  }
-  return lws_finalize_write_http_header(socket, start, &at, end) == 0;
-}
-
-/// Ends the request with a status and no content. Returns the result of a callback.
-int Refuse(lws* socket, unsigned status)
-{
-  (void)WriteHeaders(socket, status, 0);
-  return -1;
-}
-
-/// Ends a WebSocket with a reason, without what is not yet sent. Returns the result of a callback.
-int Disconnect(lws* socket, const Socket& state, lws_close_status status)
-{
-  if (state.connection != nullptr)
-  {
-    state.connection->isClosing = true;
-  }
-  lws_close_reason(socket, status, nullptr, 0);
-  return -1;
-}
 } // namespace
 
 class PageServer::Internals
@@ -275,7 +155,7 @@ private:
       case LWS_CALLBACK_HTTP:
         return AnswerRequest(socket, *state);
       case LWS_CALLBACK_HTTP_WRITEABLE:
-        return WritePage(socket, *state);
+        return WritePage(socket, Given.page, state->sentOfPage);
       case LWS_CALLBACK_HTTP_BODY:
       case LWS_CALLBACK_HTTP_BODY_COMPLETION:
         return -1;
@@ -284,9 +164,11 @@ private:
       case LWS_CALLBACK_ESTABLISHED:
         return Establish(socket, *state);
       case LWS_CALLBACK_RECEIVE:
-        return Receive(socket, *state, { static_cast<const char*>(in), length });
+        return state->page != nullptr
+          ? state->page->Receive(socket, { static_cast<const char*>(in), length })
+          : Disconnect(socket, LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE);
       case LWS_CALLBACK_SERVER_WRITEABLE:
-        return Write(socket, *state);
+        return state->page != nullptr ? state->page->Write(socket) : 0;
       case LWS_CALLBACK_CLOSED:
         Close(*state);
         return 0;
@@ -320,27 +202,6 @@ private:
     return 0;
   }
 
-  int WritePage(lws* socket, Socket& state)
-  {
-    const std::size_t count =
-      std::min(kWriteBytes, Given.page.size() - std::min(state.sentOfPage, Given.page.size()));
-    std::vector<unsigned char> buffer(LWS_PRE + count);
-    std::copy_n(Given.page.data() + state.sentOfPage, count, &buffer[LWS_PRE]);
-    state.sentOfPage += count;
-    const bool isLast = state.sentOfPage >= Given.page.size();
-    if (lws_write(socket, &buffer[LWS_PRE], count, isLast ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP) <
-      0)
-    {
-      return -1;
-    }
-    if (isLast)
-    {
-      return lws_http_transaction_completed(socket) != 0 ? -1 : 0;
-    }
-    lws_callback_on_writable(socket);
-    return 0;
-  }
-
   int AnswerUpgrade(lws* socket) const
   {
     const std::string host = HeaderOf(socket, WSI_TOKEN_HOST);
@@ -356,98 +217,21 @@ private:
 
   int Establish(lws* socket, Socket& state)
   {
-    auto connection = std::make_unique<Connection>();
-    connection->outbox = std::make_shared<SocketOutbox>(Context);
-    connection->client = Given.connect(connection->outbox);
-    if (!connection->client)
+    auto outbox = std::make_shared<SocketOutbox>(Context);
+    std::unique_ptr<PageClient> client = Given.connect(outbox);
+    if (!client)
     {
-      return Disconnect(socket, state, LWS_CLOSE_STATUS_POLICY_VIOLATION);
+      return Disconnect(socket, LWS_CLOSE_STATUS_POLICY_VIOLATION);
     }
+    state.page = std::make_unique<PageSocket>(std::move(outbox), std::move(client)).release();
     ++Clients;
-    state.connection = connection.release();
-    return 0;
-  }
-
-  int Receive(lws* socket, Socket& state, std::string_view part) const
-  {
-    Connection* connection = state.connection;
-    if (connection == nullptr || lws_frame_is_binary(socket) != 0)
-    {
-      return Disconnect(socket, state, LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE);
-    }
-    if (connection->received.size() + part.size() > kMaxMessage)
-    {
-      return Disconnect(socket, state, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE);
-    }
-    connection->received += part;
-    if (lws_is_final_fragment(socket) == 0 || lws_remaining_packet_payload(socket) != 0)
-    {
-      return 0;
-    }
-    const std::string text = std::exchange(connection->received, {});
-    return connection->Admit() && connection->client->Receive(text)
-      ? 0
-      : Disconnect(socket, state, LWS_CLOSE_STATUS_POLICY_VIOLATION);
-  }
-
-  static int Write(lws* socket, Socket& state)
-  {
-    Connection* connection = state.connection;
-    if (connection == nullptr || connection->isClosing)
-    {
-      return 0;
-    }
-    if (connection->outbox->IsOverfull())
-    {
-      return Disconnect(socket, state, LWS_CLOSE_STATUS_POLICY_VIOLATION);
-    }
-    if (!connection->isSending)
-    {
-      std::optional<OutgoingMessage> next = connection->outbox->Take();
-      if (!next)
-      {
-        // The handshake of closing has a time limit of its own.
-        if (std::exchange(connection->isTimed, false))
-        {
-          lws_set_timeout(socket, NO_PENDING_TIMEOUT, 0);
-        }
-        return 0;
-      }
-      connection->sending = std::move(*next);
-      connection->sent = 0;
-      connection->isSending = true;
-    }
-    OutgoingMessage& message = connection->sending;
-    const std::size_t count = std::min(kWriteBytes, message.bytes.size() - connection->sent);
-    const bool isLast = connection->sent + count == message.bytes.size();
-    std::vector<unsigned char> buffer(LWS_PRE + count);
-    std::copy_n(message.bytes.data() + connection->sent, count, &buffer[LWS_PRE]);
-    const int flags = lws_write_ws_flags(message.binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT,
-      connection->sent == 0 ? 1 : 0, isLast ? 1 : 0);
-    if (lws_write(socket, &buffer[LWS_PRE], count, static_cast<lws_write_protocol>(flags)) < 0)
-    {
-      return -1;
-    }
-    connection->sent += count;
-    if (isLast)
-    {
-      connection->isSending = false;
-      message.bytes = {};
-    }
-    connection->isTimed = true;
-    lws_set_timeout(socket, PENDING_TIMEOUT_USER_REASON_BASE, kPatience);
-    lws_callback_on_writable(socket);
     return 0;
   }
 
   void Close(Socket& state)
   {
-    const std::unique_ptr<Connection> connection(std::exchange(state.connection, nullptr));
-    if (connection)
-    {
-      connection->outbox->Detach();
-      --Clients;
-    }
+    const std::unique_ptr<PageSocket> page(std::exchange(state.page, nullptr));
+    Clients -= page ? 1 : 0;
   }
 
   Settings Given;

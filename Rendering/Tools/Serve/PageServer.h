@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,6 +27,8 @@ public:
   /// Sends a binary message that no later one replaces. Closes the connection where another one is
   /// not yet sent.
   virtual void SendFile(std::string bytes) = 0;
+  /// Whether a file is not yet being sent.
+  [[nodiscard]] virtual bool HoldsFile() = 0;
 
   static constexpr std::size_t kMaxTexts = 256;
 };
@@ -57,6 +60,8 @@ public:
   static constexpr int kMaxConnections = 128;
   /// Seconds in which a browser must take a part of what is sent to it.
   static constexpr int kPatience = 30;
+  /// Bytes of one write, after which other connections are served.
+  static constexpr std::size_t kWriteBytes = 65536;
 
   struct Settings
   {

@@ -20,9 +20,9 @@ namespace pixelexact
 namespace
 {
 /// Options that a page may change.
-constexpr std::array<std::string_view, 37> kChangeable{ "--field", "--component", "--time-step",
-  "--warp", "--warp-direction", "--plane", "--isosurface", "--boundary", "--clip", "--range",
-  "--colormap", "--bands", "--log", "--nan-color", "--color", "--background", "--lights",
+constexpr std::array<std::string_view, 38> kChangeable{ "--field", "--component", "--time-step",
+  "--phase", "--warp", "--warp-direction", "--plane", "--isosurface", "--boundary", "--clip",
+  "--range", "--colormap", "--bands", "--log", "--nan-color", "--color", "--background", "--lights",
   "--samples", "--edges", "--edge-color", "--edges-by-kind", "--outlines", "--outline-color",
   "--contours", "--contour-width", "--contour-color", "--contours-only", "--contour-labels",
   "--show-undecided-contours", "--owners", "--show", "--show-undecided", "--mesh-outline",

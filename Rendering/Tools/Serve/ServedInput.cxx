@@ -66,7 +66,7 @@ ServedInput::ServedInput(const InputRequest& request)
 int ServedInput::StepOf(const InputRequest& request) const
 {
   const bool isGiven = request.step || request.time;
-  return isGiven && !times_.empty() ? ChooseStep(request, times_) : FirstStep_;
+  return isGiven ? ChooseStep(request, times_) : FirstStep_;
 }
 
 ServedInput::Kept& ServedInput::Keep(Kept kept)
@@ -109,22 +109,36 @@ ServedInput::Kept& ServedInput::Find(const InputRequest& request, int step)
   {
     return Models.front();
   }
+  if (request.warp)
+  {
+    Count(Models.front(), { request.warp->field });
+  }
   return Keep({ step, change, Changed(Models.front().model, request), {} });
 }
 
-LoadedModel ServedInput::Get(const InputRequest& request, const std::string& expression)
+void ServedInput::Count(Kept& kept, const std::vector<std::string>& expressions)
 {
-  Kept& kept = Find(request, StepOf(request));
-  kept.expressions.insert(expression);
+  kept.expressions.insert(expressions.begin(), expressions.end());
   if (kept.expressions.size() > kMaxExpressions)
   {
     // A copy of the grid has a model of its own, which shares mesh and locator.
     const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::Take(kept.model.grid->NewInstance());
     copy->ShallowCopy(kept.model.grid);
+    if (kept.model.source == kept.model.grid)
+    {
+      kept.model.source = copy;
+    }
     kept.model.grid = copy;
     kept.model.model = HighOrderModel::From(copy);
-    kept.expressions = { expression };
+    kept.expressions = { expressions.begin(), expressions.end() };
   }
+}
+
+LoadedModel ServedInput::Get(
+  const InputRequest& request, const std::vector<std::string>& expressions)
+{
+  Kept& kept = Find(request, StepOf(request));
+  Count(kept, expressions);
   return kept.model;
 }
 } // namespace pixelexact

@@ -28,8 +28,10 @@ public:
   explicit ServedInput(const InputRequest& request);
 
   /// The input at the time step, and with the deformation and truncation, of a request, whose files
-  /// must be those of the first one. `expression`: of a field that will be shown. Throws Error.
-  [[nodiscard]] LoadedModel Get(const InputRequest& request, const std::string& expression);
+  /// must be those of the first one. `expressions`: fields that will be shown or define surfaces.
+  /// Throws Error.
+  [[nodiscard]] LoadedModel Get(
+    const InputRequest& request, const std::vector<std::string>& expressions);
 
   [[nodiscard]] const std::vector<double>& Times() const { return times_; }
   [[nodiscard]] int FirstStep() const { return FirstStep_; }
@@ -46,6 +48,8 @@ private:
   [[nodiscard]] int StepOf(const InputRequest& request) const;
   Kept& Find(const InputRequest& request, int step);
   Kept& Keep(Kept kept);
+  /// The model creates the fields of these expressions. Replaces a model that has too many.
+  static void Count(Kept& kept, const std::vector<std::string>& expressions);
 
   std::list<Kept> Models; ///< the last used one is the first
   std::vector<double> times_;

@@ -7,8 +7,11 @@
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
+#include "vtkHighOrderCalculator.h"
+
 #include <fmt/format.h>
 #include <vtkLookupTable.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cstdint>
 #include <utility>
@@ -37,6 +40,14 @@ std::string VerdictName(std::uint8_t verdict)
     default:
       return "nothing";
   }
+}
+
+/// Whether --phase has an effect.
+bool HasComplexField(const LoadedModel& input)
+{
+  const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::Take(input.source->NewInstance());
+  copy->ShallowCopy(input.source);
+  return vtkHighOrderCalculator::DefinePhase(copy, 0.0) > 0;
 }
 
 /// The colours of the first layer's map from low to high; null where it has one colour.
@@ -120,15 +131,23 @@ void AddExact(nlohmann::ordered_json& header, const RenderOptions& options, cons
   header["pixels"] = { { "exact", pixels.exact }, { "nothing", pixels.nothing },
     { "unknown", pixels.unknown } };
   nlohmann::ordered_json fields = nlohmann::ordered_json::array();
-  for (const Field& field : shot.input.model->Fields())
+  const HighOrderModel& model = *shot.input.model;
+  for (const Field& field : model.Fields())
   {
     fields.push_back({ { "name", field.name }, { "components", field.values.components } });
+  }
+  // Complex fields at a phase, and fields of saved grids that are expressions.
+  for (const auto& [name, text] : model.Definitions())
+  {
+    fields.push_back(
+      { { "name", name }, { "components", model.GetField(name).values.components } });
   }
   header["fields"] = std::move(fields);
   const Field* shown = shot.scene.layers.front().field;
   header["field"] = shown != nullptr ? nlohmann::ordered_json(shown->name) : nullptr;
   header["times"] = shot.input.times;
   header["step"] = shot.input.step;
+  header["complex"] = HasComplexField(shot.input);
   const Box3 box = BoxOf(*shot.input.model);
   header["box"] = { ToJson(box.lower), ToJson(box.upper) };
   header["bar"] = BarOf(options, shot, drawn);

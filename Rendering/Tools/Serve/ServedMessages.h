@@ -32,8 +32,8 @@ struct Shot;
 [[nodiscard]] std::string HoverMessage(
   const std::array<int, 2>& pixel, const SampleBuffers& sample, const Shot& shot);
 
-/// Adds to the header of an exact picture: counts of pixels, fields, time steps, colour bar, and
-/// the box of the mesh.
+/// Adds to the header of an exact picture: counts of pixels, fields, time steps, whether there
+/// are complex fields, colour bar, and the box of the mesh.
 void AddExact(nlohmann::ordered_json& header, const RenderOptions& options, const Shot& shot,
   const DrawnShot& drawn);
 } // namespace pixelexact

@@ -26,7 +26,9 @@ ServedScene::ServedScene(
   options_.Check(picture);
   const ShotOptions asked = options_.OfPicture();
   Stopwatch watch;
-  shot_ = Prepare(asked, input.Get(asked.input, asked.field), watch);
+  std::vector<std::string> expressions = asked.surfaces.Fields();
+  expressions.push_back(asked.field);
+  shot_ = Prepare(asked, input.Get(asked.input, expressions), watch);
 }
 
 ServedScene::~ServedScene() = default;

@@ -18,7 +18,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -71,48 +74,110 @@ std::vector<std::string> WholeWords(const std::vector<std::string>& words, Serve
   return whole;
 }
 
-/// SIGINT and SIGTERM, which end the server instead of the process.
+/// SIGINT and SIGTERM. While the input is read they end the process, with a message. Once there is
+/// a server they stop it; the process ends at the latest kPatience later, or at the next signal.
 class EndSignals
 {
 public:
+  static constexpr std::chrono::seconds kPatience{ 3 };
+
   EndSignals()
   {
     sigemptyset(&Set);
     sigaddset(&Set, SIGINT);
     sigaddset(&Set, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &Set, nullptr);
+    Thread = std::thread([this] { Run(); });
   }
   ~EndSignals()
   {
     Ends = true;
-    if (Thread.joinable())
-    {
-      Thread.join();
-    }
+    Thread.join();
   }
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  void StopWith(PageServer& server)
+  /// Lets signals stop the server during its lifetime.
+  class Stopping
   {
-    Thread = std::thread(
-      [this, &server]
-      {
-        constexpr timespec kWait{ 0, 200'000'000 };
-        while (!Ends)
-        {
-          if (sigtimedwait(&Set, nullptr, &kWait) > 0)
-          {
-            server.Stop();
-            return;
-          }
-        }
-      });
-  }
+  public:
+    Stopping(EndSignals& signals, PageServer& server)
+      : Signals(signals)
+    {
+      Signals.SetServer(&server);
+    }
+    ~Stopping() { Signals.SetServer(nullptr); }
+    Stopping(const Stopping&) = delete;
+    Stopping& operator=(const Stopping&) = delete;
+
+  private:
+    EndSignals& Signals;
+  };
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  void SetServer(PageServer* server)
+  {
+    const std::lock_guard lock(Mutex);
+    IsServing = true;
+    Server = server;
+  }
+
+  /// Returns the signal, or 0 after a fifth of a second.
+  int Wait()
+  {
+    constexpr timespec kWait{ 0, 200'000'000 };
+    return std::max(0, sigtimedwait(&Set, nullptr, &kWait));
+  }
+
+  void Run()
+  {
+    int signal = 0;
+    while (signal == 0)
+    {
+      if (Ends)
+      {
+        return;
+      }
+      signal = Wait();
+    }
+    StopServing(signal);
+    const auto end = Clock::now() + kPatience;
+    while (!Ends)
+    {
+      if (Wait() > 0 || Clock::now() >= end)
+      {
+        std::_Exit(EXIT_SUCCESS); // without the end of the picture that is drawn
+      }
+    }
+  }
+
+  void StopServing(int signal)
+  {
+    const std::lock_guard lock(Mutex);
+    if (!IsServing)
+    {
+      std::cerr << fmt::format(
+                     "pixelexact: serve: ended by {} while it read the input; no page was "
+                     "served",
+                     signal == SIGINT ? "SIGINT" : "SIGTERM")
+                << std::endl;
+      std::signal(signal, SIG_DFL);
+      pthread_sigmask(SIG_UNBLOCK, &Set, nullptr);
+      std::raise(signal);
+    }
+    if (Server != nullptr)
+    {
+      Server->Stop();
+    }
+  }
+
   sigset_t Set{};
   std::atomic<bool> Ends = false;
+  std::mutex Mutex; ///< of the next two members
+  bool IsServing = false;
+  PageServer* Server = nullptr; ///< null: not yet, or no longer
   std::thread Thread;
 };
 } // namespace
@@ -138,7 +203,7 @@ void Serve(
   const std::string token = settings.token;
   const std::string address = settings.address;
   PageServer server(std::move(settings));
-  signals.StopWith(server);
+  const EndSignals::Stopping stopping(signals, server);
   const std::string host = address.find(':') != std::string::npos ? "[" + address + "]" : address;
   std::cout << fmt::format("http://{}:{}/?token={}", host, server.Port(), token) << std::endl;
   Note(IsLoopback(address)

@@ -33,6 +33,12 @@ void SocketOutbox::SendFile(std::string bytes)
   Append(Files, std::move(bytes));
 }
 
+bool SocketOutbox::HoldsFile()
+{
+  const std::lock_guard lock(Mutex);
+  return !Files.empty();
+}
+
 std::optional<OutgoingMessage> SocketOutbox::Take()
 {
   const std::lock_guard lock(Mutex);

@@ -29,6 +29,7 @@ public:
   void SendText(std::string text) override;
   void SendFrame(std::string bytes) override;
   void SendFile(std::string bytes) override;
+  [[nodiscard]] bool HoldsFile() override;
 
   /// Removes and returns the next message, or none: texts precede files, and these frames.
   [[nodiscard]] std::optional<OutgoingMessage> Take();
