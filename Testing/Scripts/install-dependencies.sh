@@ -17,7 +17,7 @@ packages=(
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
     ccache chromium chromium-driver clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev
-    jupyter-nbconvert libgmp-dev libgtest-dev libmpfr-dev mypy openmpi-bin python3-ipykernel python3-pil
+    jupyter-nbconvert jupyter-notebook libgmp-dev libgtest-dev libmpfr-dev mypy openmpi-bin python3-ipykernel python3-pil
     poppler-utils valgrind xauth xdotool xvfb
   )
 fi

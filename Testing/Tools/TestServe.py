@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 from browser import Refused, Server, WebSocket, request
-from tool import CUBE, DATA, TOOL, case, read_image, run, unit_cube_grid
+from tool import CUBE, DATA, TOOL, case, plain_grid, read_image, run, unit_cube_grid
 
 TORUS = case("toroid_hex_g3_p6")
 SIZE = [120, 90]
@@ -250,6 +250,16 @@ class Pictures(ServeTest):
         self.assertEqual((header["verdict"], header["pixel"]), ("nothing", [0, 0]))
         self.assertNotIn("value", header)
 
+    def test_marks_after_a_range(self):
+        """The range that was shown does not stay where pixels have the colours of a legend."""
+        page, before = self.open()
+        page.send(set={"--show": "validity"})
+        self.assertNotIn("--range", page.wait(is_exact)[0]["command"])
+        page.send(turn=[0.1, 0.0])
+        self.assertNotIn("--range", page.wait(is_exact)[0]["command"])
+        page.send(set={"--show": None}, view="fit")
+        self.assertEqual(page.wait(is_exact)[0]["bar"], before["bar"])
+
     def test_iso_surface_and_boundary(self):
         page, before = self.open()
         low, high = before["values"]
@@ -384,18 +394,27 @@ class Ends(unittest.TestCase):
         return Path(folder.name)
 
     def test_signals_while_a_file_is_read(self):
-        """A pipe that nobody writes is read for ever."""
-        pipe = self.folder() / "pipe.vtu"
-        os.mkfifo(pipe)
+        n = 40
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+        at = np.stack(np.meshgrid(*[np.arange(n)] * 3, indexing="ij"), axis=-1).reshape(-1, 1, 3) + np.array(corners)
+        cells = (at[..., 0] * (n + 1) + at[..., 1]) * (n + 1) + at[..., 2]
+        points = np.stack(np.meshgrid(*[np.arange(n + 1) / n] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+        large = self.folder() / "large.vtu"
+        large.write_text(plain_grid(points, [(12, ids) for ids in cells], [("u", points[:, 0])]), encoding="utf-8")
         for number in (signal.SIGTERM, signal.SIGINT):
-            process = subprocess.Popen([TOOL, "serve", pipe, "--plane", "z"], stdout=subprocess.PIPE,
+            process = subprocess.Popen([TOOL, "serve", large, "--plane", "z"], stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, text=True)
-            with open(pipe, "wb"):  # once the program has opened it
-                time.sleep(0.2)
-                process.send_signal(number)
-                output, messages = process.communicate(timeout=60)
+            while not self.blocks(process, number):  # which the program does before it reads
+                time.sleep(0.001)
+            process.send_signal(number)
+            output, messages = process.communicate(timeout=60)
             self.assertEqual((process.returncode, output), (-number, ""), messages)
             self.assertIn(f"ended by {number.name}", messages)
+
+    @staticmethod
+    def blocks(process, number):
+        status = Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+        return bool(int(re.search(r"SigBlk:\s*([0-9a-f]+)", status)[1], 16) & 1 << (number - 1))
 
     def test_signals_while_a_picture_is_drawn(self):
         with Server(TORUS, "--plane", "z", "--samples", "8", "--contours", "25") as server, server.connect() as page:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of serve in headless Chromium: each control does what it says. Where Chromium and its driver are."""
 
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from browser import Server
 from chromium import CHROMIUM, DOWN, DRIVER, UP, WAIT, Chromium, pointer, to
-from tool import case
+from tool import CUBE, case, unit_cube_grid
 
 TORUS = case("toroid_hex_g3_p6")
 
@@ -14,10 +16,11 @@ TORUS = case("toroid_hex_g3_p6")
 @unittest.skipUnless(DRIVER and CHROMIUM, "chromium or chromium-driver is not installed")
 class PageTest(unittest.TestCase):
     width, height, touch = 1200, 800, False
+    file = TORUS
     options = ["--plane", "z=40%", "--field", "u"]
 
     def setUp(self):
-        self.server = Server(TORUS, *self.options)
+        self.server = Server(self.file, *self.options)
         self.addCleanup(self.server.stop)
         self.page = Chromium(self.width, self.height, self.touch)
         self.addCleanup(self.page.close)
@@ -156,6 +159,9 @@ class Wide(PageTest):
             self.assertTrue(self.page.run("return document.body.dataset.file").endswith("_view." + suffix))
             self.assertGreater(int(self.page.run("return document.body.dataset.bytes")), 1000)
 
+    def test_no_phase_without_complex_fields(self):
+        self.assertTrue(self.page.run("return $('phase').parentElement.hidden"))
+
     def test_failures_are_shown(self):
         self.page.run("$('field').value = 'nothing'; $('field').dispatchEvent(new Event('change'))")
         self.wait("document.body.dataset.failures == 1")
@@ -163,6 +169,28 @@ class Wide(PageTest):
         self.assertEqual(self.page.run("return $('field').value"), "u")
         self.server.stop()
         self.wait("$('state').textContent === 'not connected'")
+
+
+class Phases(PageTest):
+    options = ["--plane", "z=0.5"]
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="pixelexact-")
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name) / "cube.vtu"
+        fields = [("p_real", [p[0] for p in CUBE]), ("p_imag", [p[1] for p in CUBE])]
+        self.file.write_text(unit_cube_grid(fields), encoding="utf-8")
+        super().setUp()
+
+    def test_controls(self):
+        self.assertFalse(self.page.run("return $('phase').parentElement.hidden"))
+        options = self.change("phase", "30")
+        self.assertEqual((options["--phase"], options["--field"]), ("30", "p"))
+        self.page.screenshot("phase.png")
+        options = self.change("phaseslider", "75", "input")
+        self.assertEqual((options["--phase"], options["--field"]), ("75", "p"))
+        options = self.change("phase", "")
+        self.assertEqual((options.get("--phase"), options["--field"]), (None, "p_real"))
 
 
 class Phone(PageTest):

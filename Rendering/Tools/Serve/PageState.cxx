@@ -135,7 +135,8 @@ void PageState::SetOptions(const nlohmann::json& options)
     words = WithOption(words, name,
       value.is_null() ? std::nullopt
                       : std::optional(value.is_string() ? value.get<std::string>() : "true"));
-    if (name == "--field" || name == "--component" || name == "--range" || name == "--log")
+    if (name == "--field" || name == "--component" || name == "--range" || name == "--log" ||
+      name == "--show" || name == "--owners")
     {
       Range.reset();
     }

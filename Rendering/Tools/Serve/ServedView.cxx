@@ -249,7 +249,7 @@ void ServedView::DrawExact(const std::function<bool()>& othersWait)
   }
   const DrawnShot drawn(options, shot, std::move(traced));
   const std::vector<ValueRange>& ranges = drawn.GetAppearance().Ranges();
-  if (ranges.size() == 1)
+  if (ranges.size() == 1 && !drawn.Debug().IsInPlace())
   {
     State.KeepRange(ranges.front());
   }
