@@ -6,7 +6,7 @@ Usage: PIXELEXACT_TOOL=... PIXELEXACT_DATA_DIR=... serving.py latency|clients|ma
        [--size WxH] [--seconds S] [--clients N] [--requests N]
 
 latency prints medians of the time from a message to the picture's last byte, by a client on the same machine. clients turns
-the views of N pages at once and prints pictures, the longest wait and memory. malformed sends seeded garbage and prints memory.
+the views of N pages at once and prints the waits for pictures and memory. malformed sends seeded garbage and prints memory.
 """
 
 import argparse
@@ -60,25 +60,31 @@ def latency(server, size):
         print(f"value under the pointer {1000 * statistics.median(hovers):7.1f} ms")
 
 
+def spread(name, waits):
+    """Prints the median, the 95th percentile and the longest of times in seconds."""
+    ordered = sorted(waits)
+    part = ordered[min(len(ordered) - 1, int(0.95 * len(ordered)))]
+    print(f"{name:24}{1000 * statistics.median(ordered):7.0f} ms  95 % {1000 * part:.0f} ms  longest {1000 * ordered[-1]:.0f} ms  "
+          f"of {len(ordered)}")
+
+
 def clients(server, size, seconds, count):
     end = time.monotonic() + seconds
-    results = []
+    firsts, coarse_waits, exact_waits = [], [], []
+    before = server.memory() / 2**20
 
     def turn():
         with server.connect() as page:
-            page.send(size=size)
-            page.wait(exact)
-            coarse_count, exact_waits = 0, []
+            firsts.append(timed(page, exact, size=size)[0])
             while time.monotonic() < end:
-                header = {"exact": False}
                 for _ in range(5):
-                    _, header, _ = timed(page, frame, turn=[0.05, 0.0])
-                    coarse_count += 0 if header["exact"] else 1
-                begin = time.monotonic()
+                    took, header, _ = timed(page, frame, turn=[0.05, 0.0])
+                    if not header["exact"]:  # else a newer picture replaced the coarse one
+                        coarse_waits.append(took)
+                begin = time.perf_counter()
                 if not header["exact"]:
                     page.wait(exact)
-                exact_waits.append(time.monotonic() - begin)
-            results.append((coarse_count, exact_waits))
+                    exact_waits.append(time.perf_counter() - begin)
 
     threads = [threading.Thread(target=turn) for _ in range(count)]
     for thread in threads:
@@ -87,9 +93,11 @@ def clients(server, size, seconds, count):
     while any(thread.is_alive() for thread in threads):
         memory.append(server.memory() / 2**20)
         time.sleep(1)
-    waits = [wait for _, exact_waits in results for wait in exact_waits]
-    print(f"{count} pages, {seconds:.0f} s: {sum(c for c, _ in results)} coarse and {len(waits)} exact pictures")
-    print(f"stop to exact: median {statistics.median(waits):.2f} s, longest {max(waits):.2f} s")
+    print(f"{count} pages of {size[0]} x {size[1]} pixels, {seconds:.0f} s")
+    spread("first exact picture", firsts)
+    spread("turn to coarse picture", coarse_waits)
+    spread("stop to exact picture", exact_waits)
+    print(f"memory without pages: {before:.0f} MiB")
     for part in (0.1, 0.25, 0.5, 0.75, 1.0):
         print(f"memory after {100 * part:.0f} %: {memory[min(len(memory) - 1, int(part * len(memory)))]:.0f} MiB")
     time.sleep(3)

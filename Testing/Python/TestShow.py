@@ -4,7 +4,10 @@
 import base64
 import os
 import re
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 import urllib.error
 import urllib.request
@@ -70,6 +73,21 @@ class Show(unittest.TestCase):
         files = [folder / "mfem_escher_tet_darcy_p3.mesh", folder / "flux.gf"]
         with pixelexact.show(files, size=SIZE) as shown:
             self.assertEqual(status(shown.address), 200)
+
+    def test_ends_with_python(self):
+        """Also where Python is killed."""
+        script = f"import pixelexact\nprint(pixelexact.show({str(TORUS)!r}, 'u', plane='z', size={SIZE}).address, flush=True)\n"
+        # Without a reference to the result, the page stays as long as Python.
+        for end in ("", "\nimport os; os.kill(os.getpid(), 9)"):
+            done = subprocess.run([sys.executable, "-c", script + end], capture_output=True, text=True, timeout=120, check=False)
+            address = done.stdout.strip()
+            self.assertTrue(address.startswith("http://127.0.0.1:"), done.stderr)
+            for _ in range(200):
+                if status(address) is None:
+                    break
+                time.sleep(0.05)
+            else:
+                self.fail("the server outlives Python")
 
     def test_refused(self):
         with self.assertRaisesRegex(pixelexact.Error, "nothing"):

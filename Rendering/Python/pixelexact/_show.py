@@ -96,6 +96,7 @@ class Shown:
             self._process.terminate()
             self._process.wait()
             self._process.stdout.close()
+            self._process.stdin.close()
             self._process = None
         shutil.rmtree(self._folder, ignore_errors=True)
 
@@ -165,8 +166,9 @@ def show(
         messages = os.path.join(folder, "messages.txt")
         with open(messages, "wb") as stream:
             process = subprocess.Popen(
-                [tool, "serve", *files, *words, "--port=0", "--quiet"],
-                stdin=subprocess.DEVNULL,
+                [tool, "serve", *files, *words, "--port=0", "--quiet", "--until-input-ends"],
+                # It ends with this process, also where that is killed.
+                stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=stream,
                 text=True,
@@ -175,6 +177,7 @@ def show(
         address = process.stdout.readline().strip()
         if not address:
             process.stdout.close()
+            process.stdin.close()
             said = FilePath(messages).read_text(encoding="utf-8", errors="replace")
             raise Error(said.strip().removeprefix("pixelexact: "))
         return Shown(address, FilePath(picture).read_bytes(), (width, height), process, folder)

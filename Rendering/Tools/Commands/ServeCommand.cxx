@@ -32,5 +32,6 @@ void AddServeCommand(CLI::App& program, const CommonOptions& common, Action& act
   Bind(command, "--address", options->serving.address);
   Bind(command, "--port", options->serving.port);
   Bind(command, "--views", options->serving.views);
+  Bind(command, "--until-input-ends", options->serving.untilInputEnds);
 }
 } // namespace pixelexact

@@ -29,9 +29,9 @@ constexpr std::array<std::string_view, 38> kChangeable{ "--field", "--component"
   "--figure", "--title", "--precision", "--truncate-order" };
 
 /// Options of the server, and of files and reports that render writes.
-constexpr std::array<std::string_view, 12> kNotOfPicture{ "--address", "--port", "--views",
-  "--output", "--buffers", "--arrays", "--contours-output", "--contours-tolerance", "--json",
-  "--quiet", "--jpeg-quality", "--threads" };
+constexpr std::array<std::string_view, 13> kNotOfPicture{ "--address", "--port", "--views",
+  "--until-input-ends", "--output", "--buffers", "--arrays", "--contours-output",
+  "--contours-tolerance", "--json", "--quiet", "--jpeg-quality", "--threads" };
 
 /// Options of figures and animations, beside those that need --figure.
 constexpr std::array<std::string_view, 3> kOfFigure{ "--figure", "--dpi", "--fps" };

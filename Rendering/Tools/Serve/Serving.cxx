@@ -15,8 +15,11 @@
 
 #include <csignal>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -74,14 +77,28 @@ std::vector<std::string> WholeWords(const std::vector<std::string>& words, Serve
   return whole;
 }
 
-/// SIGINT and SIGTERM. While the input is read they end the process, with a message. Once there is
-/// a server they stop it; the process ends at the latest kPatience later, or at the next signal.
+/// Whether standard input has ended. Discards what it has.
+bool HasInputEnded()
+{
+  pollfd input{ STDIN_FILENO, POLLIN, 0 };
+  if (poll(&input, 1, 0) <= 0)
+  {
+    return false;
+  }
+  std::array<char, 256> discarded{};
+  return read(STDIN_FILENO, discarded.data(), discarded.size()) <= 0;
+}
+
+/// SIGINT and SIGTERM, and where it is wanted the end of standard input, which is as SIGTERM. While
+/// the input is read they end the process, with a message. Once there is a server they stop it; the
+/// process ends at the latest kPatience later, or at the next signal.
 class EndSignals
 {
 public:
   static constexpr std::chrono::seconds kPatience{ 3 };
 
-  EndSignals()
+  explicit EndSignals(bool withInput)
+    : WithInput(withInput)
   {
     sigemptyset(&Set);
     sigaddset(&Set, SIGINT);
@@ -128,7 +145,8 @@ private:
   int Wait()
   {
     constexpr timespec kWait{ 0, 200'000'000 };
-    return std::max(0, sigtimedwait(&Set, nullptr, &kWait));
+    const int signal = std::max(0, sigtimedwait(&Set, nullptr, &kWait));
+    return signal == 0 && WithInput && HasInputEnded() ? SIGTERM : signal;
   }
 
   void Run()
@@ -143,6 +161,7 @@ private:
       signal = Wait();
     }
     StopServing(signal);
+    WithInput = false;
     const auto end = Clock::now() + kPatience;
     while (!Ends)
     {
@@ -173,6 +192,7 @@ private:
     }
   }
 
+  bool WithInput;
   sigset_t Set{};
   std::atomic<bool> Ends = false;
   std::mutex Mutex; ///< of the next two members
@@ -186,7 +206,7 @@ void Serve(
   RenderOptions options, const ServingOptions& serving, const std::vector<std::string>& words)
 {
   CheckServed(options);
-  EndSignals signals;
+  EndSignals signals(serving.untilInputEnds);
   options.Check("view.png");
   ServedInput input(options.shot.input);
   const std::vector<std::string> whole = WholeWords(words, input);
