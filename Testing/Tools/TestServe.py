@@ -148,6 +148,33 @@ class Pictures(ServeTest):
                 page.wait(is_exact)
         self.assertGreater(coarse, 0)
 
+    # Certified contours of this on the curved boundary take many seconds.
+    SLOW = {"--boundary": "all", "--field": "mag(grad(u))", "--contours": "25"}
+
+    def test_a_change_interrupts_contours(self):
+        page, _ = self.open([900, 700])
+        page.send(view="iso")
+        page.wait(is_exact)
+        page.send(set=self.SLOW)
+        page.receive()
+        time.sleep(1.0)  # its tracing has ended
+        page.send(set={"--contours": None})
+        header, _ = page.wait(is_exact)
+        self.assertNotIn("--contours", header["options"])
+
+    def test_contours_give_way_to_other_pages(self):
+        slow, _ = self.open([900, 700])
+        quick, _ = self.open()
+        slow.send(view="iso")
+        slow.wait(is_exact)
+        slow.send(set=self.SLOW)
+        slow.receive()
+        time.sleep(1.0)
+        quick.send(turn=[0.1, 0.0])
+        quick.wait(is_exact)
+        slow.send(set={"--contours": None})
+        self.assertNotIn("--contours", slow.wait(is_exact)[0]["options"])
+
     def test_exact_pictures_follow_each_change(self):
         """Also where other messages come while the picture is traced."""
         page, _ = self.open([900, 700])

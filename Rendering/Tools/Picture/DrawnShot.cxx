@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace pixelexact
@@ -30,7 +31,65 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
                                : Trace(view, others, progress);
 }
 
-DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths)
+namespace
+{
+/// Throws Interrupted in a pass of the tiles.
+class InterruptedModule final : public FrameModule
+{
+public:
+  InterruptedModule(const GoesOn& goesOn, FrameModule* rest)
+    : GoesOnYet(goesOn)
+    , Next(rest)
+  {
+  }
+  [[nodiscard]] SampleNeeds Needs() const override { return {}; }
+  void Begin(int /*width*/, int /*height*/) override {}
+  void Process(TileVisit& /*tile*/) override
+  {
+    if (!GoesOnYet())
+    {
+      throw Interrupted();
+    }
+  }
+  [[nodiscard]] FrameModule* Rest() override { return Next; }
+
+private:
+  const GoesOn& GoesOnYet;
+  FrameModule* Next;
+};
+
+/// The modules that interrupt each pass of a pipeline; the last one is the first of the pipeline.
+std::vector<std::unique_ptr<InterruptedModule>> AddInterruption(
+  const GoesOn& goesOn, Pipeline& pipeline)
+{
+  std::vector<std::unique_ptr<InterruptedModule>> passes;
+  if (!goesOn || pipeline.modules.empty())
+  {
+    return passes;
+  }
+  std::size_t count = 0;
+  for (FrameModule* module : pipeline.modules)
+  {
+    std::size_t own = 0;
+    for (FrameModule* pass = module; pass != nullptr; pass = pass->Rest())
+    {
+      ++own;
+    }
+    count = std::max(count, own);
+  }
+  passes.reserve(count);
+  while (passes.size() < count)
+  {
+    FrameModule* const rest = passes.empty() ? nullptr : passes.back().get();
+    passes.push_back(std::make_unique<InterruptedModule>(goesOn, rest));
+  }
+  pipeline.modules.insert(pipeline.modules.begin(), passes.back().get());
+  return passes;
+}
+} // namespace
+
+DrawnShot::DrawnShot(
+  const RenderOptions& options, const Shot& shot, Frame traced, bool paths, const GoesOn& goesOn)
   : Options(options)
   , Of(shot)
   , Pixels(std::move(traced))
@@ -58,6 +117,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   }
   Pipeline pipeline = painter.MakePipeline({ .edges = !edges, .contours = !contours });
   Told.AddTo(pipeline, shot, Pixels);
+  const auto interruption = AddInterruption(goesOn, pipeline);
   const View& view = Colors->GetView();
   Repaint(view.scene, view.camera.Make(), pipeline, Pixels);
   Told.Count(Pixels, painter.Undecided());

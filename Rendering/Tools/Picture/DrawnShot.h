@@ -12,6 +12,8 @@
 
 #include "Trace/Tracer.h"
 
+#include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,14 +27,26 @@ struct Shot;
 /// Casts the rays that a picture needs.
 Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress);
 
+/// Whether to go on with a picture. May be called from several threads at once. Empty: always.
+using GoesOn = std::function<bool()>;
+
+/// A picture was given up because its GoesOn returned false.
+class Interrupted final : public std::exception
+{
+public:
+  [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
+};
+
 /// A shot with colours, contours, labels, outlines and its report's data.
 class DrawnShot
 {
 public:
   /// `traced`: the frame of TraceShot. `paths`: draws contours, element edges and outlines as paths
-  /// instead of pixels where possible. Throws Error as ShotAppearance. The options and the shot
-  /// must outlive it.
-  DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
+  /// instead of pixels where possible. Throws Error as ShotAppearance, and Interrupted: `goesOn` is
+  /// called for each tile of contours, anti-aliasing, element edges and outlines. The options and
+  /// the shot must outlive it.
+  DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false,
+    const GoesOn& goesOn = {});
   DrawnShot(const DrawnShot&) = delete;
   DrawnShot& operator=(const DrawnShot&) = delete;
 

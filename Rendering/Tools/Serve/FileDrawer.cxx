@@ -80,6 +80,10 @@ void FileDrawer::Run()
     {
       arena.execute([this, job] { Draw(*job); });
     }
+    catch (const Interrupted&)
+    {
+      // Nobody waits for the file.
+    }
     catch (const std::exception& error)
     {
       // Without options, because those of the page are still drawn.
@@ -111,7 +115,7 @@ void FileDrawer::Draw(const Job& job)
   {
     return;
   }
-  const DrawnShot drawn(options, shot, std::move(traced), paths);
+  const DrawnShot drawn(options, shot, std::move(traced), paths, isWanted);
   if (!isWanted())
   {
     return;

@@ -230,24 +230,39 @@ void ServedView::DrawExact(const std::function<bool()>& othersWait)
     ExactDue.reset();
   }
   const auto begin = Clock::now();
-  bool interrupted = false;
+  std::atomic<bool> isInterrupted = false;
+  const auto goesOn = [&]
+  {
+    if (!isInterrupted && (IsInterrupted() || (Clock::now() - begin > kLongTrace && othersWait())))
+    {
+      isInterrupted = true;
+    }
+    return !isInterrupted;
+  };
   const RenderOptions& options = Shown->GetOptions();
   const Shot& shot = Shown->GetShot();
-  Frame traced = TraceShot(options, shot,
-    [&](double)
+  std::optional<DrawnShot> finished;
+  try
+  {
+    Frame traced = TraceShot(options, shot, [&](double) { return goesOn(); });
+    if (!isInterrupted)
     {
-      interrupted =
-        interrupted || IsInterrupted() || (Clock::now() - begin > kLongTrace && othersWait());
-      return !interrupted;
-    });
-  if (interrupted)
+      finished.emplace(options, shot, std::move(traced), false, goesOn);
+    }
+  }
+  catch (const Interrupted&)
+  {
+    finished.reset();
+  }
+  if (!finished)
   {
     // The change that interrupted it may be refused.
+    const auto wait = IsInterrupted() ? kPause : kLater;
     const std::lock_guard lock(Mutex);
-    ExactDue = Clock::now() + kPause;
+    ExactDue = Clock::now() + wait;
     return;
   }
-  const DrawnShot drawn(options, shot, std::move(traced));
+  const DrawnShot& drawn = *finished;
   const std::vector<ValueRange>& ranges = drawn.GetAppearance().Ranges();
   if (ranges.size() == 1 && !drawn.Debug().IsInPlace())
   {

@@ -42,6 +42,8 @@ public:
   static constexpr std::chrono::milliseconds kPause{ 60 };
   /// Time after which an exact picture gives way to changes of other pages.
   static constexpr std::chrono::seconds kLongTrace{ 5 };
+  /// Time until it begins once more, in which the exact pictures of the other pages are due.
+  static constexpr std::chrono::milliseconds kLater{ 500 };
   /// Messages that may wait.
   static constexpr std::size_t kMaxWaiting = 1000;
   /// Files of a page that may wait to be drawn.
@@ -69,7 +71,8 @@ public:
     Exact,
     Nothing
   };
-  /// The next work, and when it is due. Only on the drawing thread.
+  /// The next work, and when it is due. Only on the drawing thread, and on others while that one
+  /// waits for them.
   [[nodiscard]] std::pair<Work, Clock::time_point> Next(FileDrawer& files);
   /// Does the work that is due. An exact picture of more than kLongTrace ends, to begin once more
   /// later, where `othersWait` says that another page was changed. Only on the drawing thread.
