@@ -233,7 +233,7 @@ void ServedView::DrawExact(const std::function<bool()>& othersWait)
   std::atomic<bool> isInterrupted = false;
   const auto goesOn = [&]
   {
-    if (!isInterrupted && (IsInterrupted() || (Clock::now() - begin > kLongTrace && othersWait())))
+    if (!isInterrupted && (IsInterrupted() || (Clock::now() - begin > Patience && othersWait())))
     {
       isInterrupted = true;
     }
@@ -257,11 +257,13 @@ void ServedView::DrawExact(const std::function<bool()>& othersWait)
   if (!finished)
   {
     // The change that interrupted it may be refused.
-    const auto wait = IsInterrupted() ? kPause : kLater;
+    const bool isChanged = IsInterrupted();
+    Patience = isChanged ? kLongTrace : 2 * Patience;
     const std::lock_guard lock(Mutex);
-    ExactDue = Clock::now() + wait;
+    ExactDue = Clock::now() + (isChanged ? kPause : kLater);
     return;
   }
+  Patience = kLongTrace;
   const DrawnShot& drawn = *finished;
   const std::vector<ValueRange>& ranges = drawn.GetAppearance().Ranges();
   if (ranges.size() == 1 && !drawn.Debug().IsInPlace())

@@ -40,7 +40,8 @@ public:
   using Clock = std::chrono::steady_clock;
   /// Time without a change after which the exact picture is drawn.
   static constexpr std::chrono::milliseconds kPause{ 60 };
-  /// Time after which an exact picture gives way to changes of other pages.
+  /// Time after which an exact picture gives way to changes of other pages. Each time it does, the
+  /// time doubles, so that it is finished some day.
   static constexpr std::chrono::seconds kLongTrace{ 5 };
   /// Time until it begins once more, in which the exact pictures of the other pages are due.
   static constexpr std::chrono::milliseconds kLater{ 500 };
@@ -74,7 +75,7 @@ public:
   /// The next work, and when it is due. Only on the drawing thread, and on others while that one
   /// waits for them.
   [[nodiscard]] std::pair<Work, Clock::time_point> Next(FileDrawer& files);
-  /// Does the work that is due. An exact picture of more than kLongTrace ends, to begin once more
+  /// Does the work that is due. An exact picture of more than Patience ends, to begin once more
   /// later, where `othersWait` says that another page was changed. Only on the drawing thread.
   void Perform(ServedInput& input, FileDrawer& files, const std::function<bool()>& othersWait);
 
@@ -104,7 +105,8 @@ private:
 
   // The drawing thread alone uses the following members.
   PageState State;
-  bool Stale = true; ///< Shown is not that of State
+  std::chrono::seconds Patience = kLongTrace; ///< of the exact picture that is due
+  bool Stale = true;                          ///< Shown is not that of State
   std::optional<std::array<int, 2>> HoverAt;
   std::vector<std::string> Saves; ///< suffixes of messages that are being handled
   std::deque<FileRequest> Files;  ///< that wait to be drawn
