@@ -43,6 +43,10 @@ inline constexpr std::tuple kBufferTable{
   BufferRow{ Buffer::Piece, "Piece_u", &SampleBuffers::pieceU, 0.0, false },
   BufferRow{ Buffer::Piece, "Piece_v", &SampleBuffers::pieceV, 0.0, false },
   BufferRow{ Buffer::Jump, "Jump", &SampleBuffers::jump, kNotANumber, false },
+  BufferRow{ Buffer::Volume, "VolumeColor", &SampleBuffers::volumeColor, Vec3(0.0), false },
+  BufferRow{ Buffer::Volume, "VolumeOpacity", &SampleBuffers::volumeOpacity, 0.0, false },
+  BufferRow{ Buffer::Volume, "VolumeBound", &SampleBuffers::volumeBound,
+    std::numeric_limits<double>::infinity(), false },
 };
 
 /// Calls visit(row) for each row of the table.

@@ -26,7 +26,8 @@ enum class Buffer : std::uint32_t
   Enclosure = 1U << 9, ///< the value's lower and upper bound
   Layer = 1U << 10,
   Piece = 1U << 11, ///< of surfaces made of pieces: the piece and its parameters
-  Jump = 1U << 12   ///< of values, where the surface crosses from element to element
+  Jump = 1U << 12,  ///< of values, where the surface crosses from element to element
+  Volume = 1U << 13 ///< colour, opacity and error bound of a pixel with a volume
 };
 constexpr Buffer operator|(Buffer a, Buffer b)
 {
@@ -92,6 +93,10 @@ struct SampleBuffers
   /// RGBA per sample, with straight alpha that includes the layer's opacity. Written by a
   /// pipeline's colours; 0 where nothing is drawn.
   std::vector<std::uint8_t> color;
+  std::vector<Vec3> volumeColor;     ///< with the surfaces, premultiplied, 0 to 1
+  std::vector<double> volumeOpacity; ///< 0 to 1
+  /// Bounds the error of each of these four numbers, in levels of a byte; infinite: not proven.
+  std::vector<double> volumeBound;
   /// The sheets behind the nearest one, seen through translucent layers, in order.
   std::vector<SampleBuffers> behind;
 

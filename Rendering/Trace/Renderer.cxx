@@ -207,7 +207,8 @@ void Renderer::Update(const View& view, const RenderWork& work, const Progress& 
   {
     Forget();
   }
-  const bool sameAppearance = Paints && Current.appearance == view.appearance;
+  const bool sameAppearance =
+    Paints && Current.appearance == view.appearance && Current.volume == view.volume;
   Current = view;
   HasRays = true;
   Ranges = work.ranges ? work.ranges : std::make_shared<FieldRanges>();

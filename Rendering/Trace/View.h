@@ -5,8 +5,10 @@
 #include "Trace/Camera.h"
 #include "Trace/Scene.h"
 #include "Trace/Tracer.h"
+#include "Trace/Volume/Volume.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 // The description of one picture. Tool, Python, mappers, ParaView, compare and bench fill a View.
@@ -26,6 +28,9 @@ struct View
   /// Above 1: the middle pixel of each block of stride x stride pixels is traced, and all pixels of
   /// the block show it. Excludes contours, edges and anti-aliasing, which need each pixel.
   int stride = 1;
+  /// Drawn between the surfaces. Excludes anti-aliasing, and with translucent layers also lines. A
+  /// scene that has nothing else has a layer of NoSurface.
+  std::optional<Volume> volume{};
 };
 
 /// The rays of both views find the same hits, so a frame of one has the samples of the other.

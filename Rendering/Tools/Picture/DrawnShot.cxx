@@ -151,6 +151,10 @@ DrawnShot::DrawnShot(
   {
     Extremes = ExtremeMarks::Find(shot);
   }
+  if (painter.Volumes() != nullptr)
+  {
+    found_.volume = painter.Volumes()->Counters();
+  }
   found_.quality = { options.quality.Stride(), shot.truncated };
   found_.values = ValuesSeen(Pixels, -std::numeric_limits<double>::infinity());
   if (!Told.IsInPlace() && !options.contours.Only())

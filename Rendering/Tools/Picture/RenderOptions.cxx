@@ -5,6 +5,8 @@
 #include "Base/Output.h"
 #include "Drawing/ImageFile.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 
 namespace pixelexact
@@ -29,6 +31,10 @@ void RenderOptions::AddTo(CLI::App& command)
   shot.input.mayBeAll = true;
   shot.AddTo(command);
   Bind(command, "--clip", shot.clip);
+  if (command.get_name() == "render")
+  {
+    shot.volume.AddTo(command);
+  }
   contours.AddTo(command);
   debug.AddTo(command);
   shot.colors.AddUndecidedTo(command);
@@ -76,6 +82,11 @@ void RenderOptions::Check(const std::string& picture)
     throw UsageError("--jpeg-quality has no effect on '" + picture + "'; name a .jpg");
   }
   animation.Check(shot.input);
+  shot.volume.Check();
+  if (shot.volume.IsAsked() && animation.IsAsked(shot.input))
+  {
+    throw UsageError("--volume: is not available in animations; choose one --time-step");
+  }
   quality.Check(*shot.command);
   if (!animation.IsAsked(shot.input))
   {

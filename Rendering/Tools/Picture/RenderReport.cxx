@@ -158,6 +158,12 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
   {
     summary["jump_walls"] = { { "faces", walls.faces }, { "pixels", walls.pixels } };
   }
+  if (found.volume)
+  {
+    summary["volume"] = { { "field", shot.volume->field->name },
+      { "opacity_unit", shot.volume->transfer->Unit() }, { "proven", found.volume->proven },
+      { "unproven", found.volume->unproven }, { "largest_bound", found.volume->largest } };
+  }
   if (found.contours)
   {
     summary["contours"] = ToJson(*found.contours);
@@ -221,6 +227,12 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
         ? fmt::format("{} of {}", Counted(walls.pixels, "pixel"), Counted(walls.faces, "face"))
         : "none: nowhere does the field jump across the value");
   }
+  if (found.volume)
+  {
+    table.Row("volume", "{}: {} proven within {} of a byte's level, {} not proven",
+      shot.volume->field->name, Counted(found.volume->proven, "pixel"),
+      Short(found.volume->largest), found.volume->unproven);
+  }
   if (found.contours)
   {
     AddContours(table, *found.contours);
@@ -247,7 +259,18 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
 void WarnOf(const Shot& shot, const Frame& frame, const Found& found)
 {
   const PixelsBeyond& beyond = found.beyond;
-  if (frame.counters.exact == 0 && frame.counters.unknown == 0)
+  if (found.volume && found.volume->unproven > 0)
+  {
+    Warn(Counted(found.volume->unproven, "pixel") + " of the volume " +
+      (found.volume->unproven == 1 ? "is" : "are") +
+      " not proven: their colours are sampled or have larger bounds (buffer VolumeBound)");
+  }
+  if (found.volume && shot.volume->transfer->IsLimited())
+  {
+    Note("opacities above " + Short(TransferFunction::kMaxOpacity) +
+      " per unit distance are lowered to it; an opacity of 1 would have no thickness");
+  }
+  if (frame.counters.exact == 0 && frame.counters.unknown == 0 && !found.volume)
   {
     Warn("no pixel meets the mesh on a surface; the picture shows none of it");
   }

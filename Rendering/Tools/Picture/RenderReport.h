@@ -6,6 +6,8 @@
 #include "Scene/LayerRanges.h"
 #include "Scene/QualitySettings.h"
 
+#include "Trace/Volume/Volume.h"
+
 #include <array>
 #include <optional>
 
@@ -24,6 +26,7 @@ struct Found
   PixelsBeyond beyond;                         ///< pixels outside of the ranges of colour maps
   std::optional<FoundContours> contours;       ///< where requested
   QualityFacts quality;                        ///< what was given up for speed
+  std::optional<VolumeCounters> volume;
 };
 
 /// Prints JSON to stdout.

@@ -64,6 +64,10 @@ void BufferOptions::Check() const
       throw UsageError("--arrays: '" + name + "' needs " +
         (Has(buffer, Buffer::Coverage) ? "--owners" : "--enclosures"));
     }
+    if (Has(buffer, Buffer::Volume) && !IsGiven(*Command, "--volume"))
+    {
+      throw UsageError("--arrays: '" + name + "' needs --volume");
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/Surfaces/NoSurface.h"
 #include "Trace/View.h"
 
 #include "Views/FittedView.h"
@@ -62,6 +63,10 @@ namespace
 /// the input.
 std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSettings>& layers)
 {
+  if (options.volume.IsAsked() && options.volume.Name() != options.field)
+  {
+    return options.HasVolumeAlone() ? options.volume.Name() : std::string();
+  }
   for (const LayerSettings& layer : layers)
   {
     if (layer.field && *layer.field != options.field)
@@ -104,6 +109,11 @@ void AddLayers(const ShotOptions& options,
   const std::vector<std::shared_ptr<const Surface>>& surfaces, Shot& shot)
 {
   const HighOrderModel& model = *shot.input.model;
+  if (options.HasVolumeAlone())
+  {
+    shot.scene.layers.push_back({ std::make_shared<NoSurface>() });
+    return;
+  }
   if (model.Fields().empty())
   {
     CheckEffectsWithoutField(*options.command, shot.settings);
@@ -127,6 +137,10 @@ void AddLayers(const ShotOptions& options,
 /// Reports defaults, so that the picture can be reproduced.
 void ReportDefaults(const ShotOptions& options, Shot& shot)
 {
+  if (options.HasVolumeAlone())
+  {
+    return;
+  }
   const bool shared = std::ranges::any_of(
     shot.settings, [](const LayerSettings& settings) { return !settings.field; });
   if (options.field.empty() && shared && !shot.input.model->Fields().empty())
@@ -157,6 +171,11 @@ namespace
 /// Colour of the walls of iso-surfaces, which occurs in no default colour map.
 constexpr std::array<double, 3> kWallColor{ 0.84, 0.37, 0.0 };
 } // namespace
+
+bool ShotOptions::HasVolumeAlone() const
+{
+  return volume.IsAsked() && !surfaces.AreGiven();
+}
 
 bool ShotOptions::SpansAllPictures() const
 {
@@ -287,6 +306,10 @@ Shot MakeShot(
     surfaces.push_back(surface(shot.input.model));
   }
   AddLayers(options, surfaces, shot);
+  if (options.volume.IsAsked())
+  {
+    shot.volume = options.volume.Make(model, options.colors);
+  }
   shot.truncated = TruncatedFields(shot);
   if (before == nullptr)
   {
@@ -297,6 +320,17 @@ Shot MakeShot(
   shot.appearance.faces = options.edgeWidth && options.edgesByKind ? &model.Faces() : nullptr;
   stopwatch.Stage("bounds+bvh");
   return shot;
+}
+
+std::array<Vec3, 8> CornersOf(const Box3& box)
+{
+  std::array<Vec3, 8> corners{};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    corners[k] = { (k & 1U) != 0 ? box.upper.x : box.lower.x,
+      (k & 2U) != 0 ? box.upper.y : box.lower.y, (k & 4U) != 0 ? box.upper.z : box.lower.z };
+  }
+  return corners;
 }
 
 Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedModel* loaded)
@@ -318,6 +352,10 @@ Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedMod
       {
         shot.view = view;
         std::vector<Vec3> points = SeenPoints(shot.scene, view, shot.size);
+        if (shot.volume)
+        {
+          std::ranges::copy(CornersOf(box), std::back_inserter(points));
+        }
         if (options.alsoSeen)
         {
           std::ranges::copy(options.alsoSeen(shot), std::back_inserter(points));

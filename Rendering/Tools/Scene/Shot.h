@@ -9,6 +9,7 @@
 #include "Scene/Model.h"
 #include "Scene/QualitySettings.h"
 #include "Scene/SurfaceOptions.h"
+#include "Scene/VolumeOptions.h"
 
 #include "Trace/Appearance/Appearance.h"
 #include "Trace/Camera.h"
@@ -54,6 +55,7 @@ struct ShotOptions
   bool outlines = false;
   /// Planes: a point and a normal, which points to the side that is kept.
   std::vector<std::vector<double>> clip;
+  VolumeOptions volume;
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
   /// Points that a camera which was not placed must see beside the cut, with the view so far;
   /// empty: none.
@@ -63,6 +65,8 @@ struct ShotOptions
 
   /// Throws UsageError where a range is that of all pictures, and there is one.
   void CheckRangeOfOne() const;
+  /// The picture has a volume and no surface.
+  [[nodiscard]] bool HasVolumeAlone() const;
   /// Whether a range is that of all pictures of an animation.
   [[nodiscard]] bool SpansAllPictures() const;
 
@@ -81,6 +85,7 @@ struct Shot
   Lit lights = Lit::Curved;
   /// Samples, edges and outlines; ViewOf adds what depends on layers and camera.
   Appearance appearance;
+  std::optional<Volume> volume;
   /// By layer, the range of the values in all pictures of an animation (RangeRule::Of::All).
   std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
   std::vector<TruncatedField> truncated; ///< what is shown without its top modes

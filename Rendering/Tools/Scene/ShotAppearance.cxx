@@ -138,7 +138,7 @@ LayerAppearance AppearanceOfLayer(
 View ViewOf(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
 {
   View view{ shot.input.model, shot.scene, { shot.view, shot.size.width, shot.size.height },
-    shot.appearance };
+    shot.appearance, 1, shot.volume };
   Appearance& appearance = view.appearance;
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {

@@ -33,6 +33,22 @@ bool MarksUndecided(const Appearance& appearance)
   return appearance.undecided && appearance.IsByValue() && !appearance.HasContoursOnly();
 }
 
+/// Throws Error for what the module cannot place in a volume.
+void RequireVolumeAlone(const View& view)
+{
+  const Appearance& appearance = view.appearance;
+  if (appearance.samples > 1 || view.stride > 1)
+  {
+    throw Error("volume: it has one ray for each pixel; leave out samples and stride");
+  }
+  if (HasTranslucent(view.scene) &&
+    (appearance.edges || appearance.outlines || appearance.HasContours()))
+  {
+    throw Error("volume: lines on translucent surfaces have no place in it; make the surfaces "
+                "opaque, or leave out edges, outlines and contours");
+  }
+}
+
 std::vector<ColorMap> MapsOf(const ResolvedAppearance& resolved)
 {
   std::vector<ColorMap> maps;
@@ -92,7 +108,14 @@ Painter::Painter(
   {
     MakeContours(view, resolved, std::move(bounds));
   }
+  if (view.volume)
+  {
+    RequireVolumeAlone(view);
+    volume_ = std::make_unique<VolumeDrawing>(*view.volume);
+  }
 }
+
+Painter::~Painter() = default;
 
 void Painter::MakeContours(
   const View& view, const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
@@ -144,7 +167,7 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   {
     pipeline.modules.push_back(&*Outlines);
   }
-  // Contours come last, so that nothing is drawn over them.
+  // Contours come after all lines, so that none is drawn over them.
   if (Certifier)
   {
     pipeline.modules.push_back(&*Certifier);
@@ -152,6 +175,11 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   if (lines_ && drawn.contours)
   {
     pipeline.modules.push_back(&*lines_);
+  }
+  // The surfaces, with their lines, are inside the volume.
+  if (volume_)
+  {
+    pipeline.modules.push_back(volume_.get());
   }
   return pipeline;
 }
@@ -171,6 +199,7 @@ Buffer NeedsOf(const View& view, bool afterwards)
     (view.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
     (appearance.IsLit() ? Buffer::Position | Buffer::Normal : Buffer::None) |
     (appearance.edges ? ElementEdges(*appearance.edges).Needs().centres : Buffer::None) |
-    (appearance.outlines ? ElementOutlines().Needs().centres : Buffer::None);
+    (appearance.outlines ? ElementOutlines().Needs().centres : Buffer::None) |
+    (view.volume ? Buffer::Depth | Buffer::Volume : Buffer::None);
 }
 } // namespace pixelexact

@@ -20,6 +20,7 @@ namespace pixelexact
 {
 class ContourBounds;
 struct View;
+class VolumeDrawing;
 
 /// The lines that a pipeline draws in addition to colours.
 struct Drawn
@@ -29,15 +30,17 @@ struct Drawn
 };
 
 /// Creates pipelines from the appearance of a view: colours, lights, undecided pixels,
-/// anti-aliasing, lines between elements, contours, in this order.
+/// anti-aliasing, lines between elements, contours, a volume, in this order.
 class Painter
 {
 public:
   /// `resolved`: of the view. `bounds`: bounds of the fields that contours keep between frames;
   /// null: they are computed for each frame. Throws Error for values and widths that cannot be
-  /// drawn, and if anti-aliasing would mix the colour of undecided pixels.
+  /// drawn, if anti-aliasing would mix the colour of undecided pixels, and for what a volume
+  /// excludes.
   Painter(const View& view, const ResolvedAppearance& resolved,
     std::shared_ptr<ContourBounds> bounds = nullptr);
+  ~Painter();
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
@@ -54,6 +57,8 @@ public:
   [[nodiscard]] const std::optional<int>& Labels() const { return labels_; }
   /// The module that paints pixels whose colour is not proven; null if there is none.
   [[nodiscard]] const UndecidedColors* Undecided() const { return Unproven.get(); }
+  /// The module that draws the view's volume; null if there is none.
+  [[nodiscard]] const VolumeDrawing* Volumes() const { return volume_.get(); }
   /// Count of the last frame's pixels that were smoothed.
   [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
@@ -71,6 +76,7 @@ private:
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> lines_;
   std::optional<int> labels_;
+  std::unique_ptr<VolumeDrawing> volume_;
 };
 
 /// The buffers of centres that Resolve, a Painter and labels read. `afterwards`: the frame is

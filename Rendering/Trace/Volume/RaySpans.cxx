@@ -1,0 +1,653 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Volume/RaySpans.h"
+
+#include "Core/Element/Kernels.h"
+#include "Core/Math/Rounding.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+namespace pixelexact
+{
+namespace
+{
+/// Numbers of points that interpolants have.
+constexpr std::array<int, 9> kPointCounts{ 3, 4, 5, 6, 8, 10, 14, 18, kMaxRayPoints };
+/// The number of points in a leaf without a proof.
+constexpr int kSampledPoints = 18;
+/// Levels to which a passage is subdivided to find where it enters and leaves its leaf.
+constexpr int kMaxLevels = 10;
+constexpr double kSpanUp = 1.0 + 1e-9;
+
+/// cos(k theta_i) for n points of the first kind: [k * n + i].
+const std::vector<double>& Cosines(int n)
+{
+  static const std::vector<std::vector<double>> tables = []
+  {
+    std::vector<std::vector<double>> all(kMaxRayPoints + 1);
+    for (std::size_t m = 1; m < all.size(); ++m)
+    {
+      all[m].resize(m * m);
+      for (std::size_t k = 0; k < m; ++k)
+      {
+        for (std::size_t i = 0; i < m; ++i)
+        {
+          all[m][k * m + i] = std::cos(std::numbers::pi *
+            static_cast<double>(k * (2 * i + 1) % (4 * m)) / (2.0 * static_cast<double>(m)));
+        }
+      }
+    }
+    return all;
+  }();
+  return tables[static_cast<std::size_t>(n)];
+}
+
+/// Writes the n coefficients of the interpolant of values in Chebyshev's points.
+void ToCoefficients(const double* values, int n, double* coefficients)
+{
+  const double* cosine = Cosines(n).data();
+  for (int k = 0; k < n; ++k)
+  {
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i)
+    {
+      sum += cosine[k * n + i] * values[i];
+    }
+    coefficients[k] = sum * (k == 0 ? 1.0 : 2.0) / n;
+  }
+}
+
+double ValueAt(std::span<const double> coefficients, double x)
+{
+  double b1 = 0.0;
+  double b2 = 0.0;
+  for (std::size_t k = coefficients.size() - 1; k > 0; --k)
+  {
+    const double b0 = 2.0 * x * b1 - b2 + coefficients[k];
+    b2 = b1;
+    b1 = b0;
+  }
+  return x * b1 - b2 + coefficients[0];
+}
+
+/// An interval of x in [-1, 1] in which a point is inside a leaf, and how far its ends may be off.
+struct Inside
+{
+  double from;
+  double to;
+  double fromError = 0.0;
+  double toError = 0.0;
+  bool isSure = true;
+};
+
+/// A linear function of s along a ray, and how far it may be off.
+struct SideSeries
+{
+  std::array<double, kMaxRayPoints> values{};
+  std::size_t count = 0;
+  double error = 0.0;
+
+  [[nodiscard]] std::span<const double> Coefficients() const
+  {
+    return std::span(values).first(count);
+  }
+};
+
+/// Finds where all sides are >= 0. Series are over [from, to]; results are in the x of the whole.
+class InsideSearch
+{
+public:
+  explicit InsideSearch(std::vector<Inside>& out)
+    : Out(out)
+  {
+  }
+
+  void Run(const std::vector<SideSeries>& sides, double from, double to, int levels)
+  {
+    const double half = 0.5 * (to - from);
+    const double middle = 0.5 * (from + to);
+    Inside part{ from, to };
+    bool isUndecided = false;
+    for (const SideSeries& side : sides)
+    {
+      const std::span<const double> a = side.Coefficients();
+      double others = 0.0; // bounds everything but the first two terms
+      double bend = 0.0;   // bounds the slope of all terms but the first two
+      for (std::size_t k = 2; k < a.size(); ++k)
+      {
+        others += std::fabs(a[k]);
+        bend += static_cast<double>(k * k) * std::fabs(a[k]);
+      }
+      const double linear = a.size() > 1 ? a[1] : 0.0;
+      const double reach = (std::fabs(linear) + others) * kSpanUp;
+      if (a[0] - reach > side.error)
+      {
+        continue;
+      }
+      if (a[0] + reach < -side.error)
+      {
+        return;
+      }
+      const double slope = std::fabs(linear) - bend * kSpanUp;
+      if (!(slope > 0.25 * std::fabs(linear)) || !(slope > 0.0))
+      {
+        isUndecided = true;
+        continue;
+      }
+      Clip(a, side.error, slope, middle, half, part);
+    }
+    if (isUndecided && levels > 0)
+    {
+      Run(Parts(sides, -1.0, 0.0), from, middle, levels - 1);
+      Run(Parts(sides, 0.0, 1.0), middle, to, levels - 1);
+      return;
+    }
+    if (isUndecided)
+    {
+      // The whole part may be inside or outside.
+      const bool inside = std::ranges::all_of(
+        sides, [](const SideSeries& side) { return ValueAt(side.Coefficients(), 0.0) >= 0.0; });
+      const double width = to - from;
+      Out.push_back(inside ? Inside{ from, to, width, width, false }
+                           : Inside{ middle, middle, width, width, false });
+      return;
+    }
+    if (part.to >= part.from)
+    {
+      Out.push_back(part);
+    }
+    else if (part.from - part.to < part.fromError + part.toError)
+    {
+      // It may be inside over less than the errors of both ends.
+      const double at = 0.5 * (part.from + part.to);
+      Out.push_back({ at, at, part.fromError, part.toError });
+    }
+  }
+
+private:
+  /// The series over a part of [-1, 1].
+  static std::vector<SideSeries> Parts(const std::vector<SideSeries>& sides, double from, double to)
+  {
+    std::vector<SideSeries> parts(sides.size());
+    for (std::size_t k = 0; k < sides.size(); ++k)
+    {
+      const SideSeries& side = sides[k];
+      const int n = static_cast<int>(side.count);
+      std::array<double, kMaxRayPoints> values{};
+      for (int i = 0; i < n; ++i)
+      {
+        const double x = Cosines(n)[static_cast<std::size_t>(n + i)];
+        values[static_cast<std::size_t>(i)] =
+          ValueAt(side.Coefficients(), 0.5 * (from + to) + 0.5 * (to - from) * x);
+      }
+      ToCoefficients(values.data(), n, parts[k].values.data());
+      parts[k].count = side.count;
+      parts[k].error = side.error * kSpanUp + 1e-15;
+    }
+    return parts;
+  }
+
+  /// Moves an end of `part` to the root of a monotone side, if that is nearer.
+  static void Clip(
+    std::span<const double> a, double error, double slope, double middle, double half, Inside& part)
+  {
+    const double sign = a[1] > 0.0 ? 1.0 : -1.0;
+    const double first = ValueAt(a, -sign);
+    const double last = ValueAt(a, sign);
+    if (first > error)
+    {
+      return;
+    }
+    if (last < -error)
+    {
+      part.to = part.from - 1.0;
+      part.fromError = part.toError = 0.0;
+      return;
+    }
+    // Newton's iteration with bisection; any x is as good as its residual.
+    double lower = -1.0;
+    double upper = 1.0;
+    double x = first > 0.0 ? -sign : (last < 0.0 ? sign : std::clamp(-a[0] / a[1], -1.0, 1.0));
+    double value = ValueAt(a, x);
+    for (int step = 0; step < 30 && std::fabs(value) > 1e-3 * error; ++step)
+    {
+      (value * sign > 0.0 ? upper : lower) = x;
+      double next = x - value / a[1];
+      if (!(next > lower && next < upper))
+      {
+        next = 0.5 * (lower + upper);
+      }
+      if (next == x || !(upper - lower > 1e-16))
+      {
+        break;
+      }
+      x = next;
+      value = ValueAt(a, x);
+    }
+    const double off = half * (std::fabs(value) + error + 1e-15) / slope * kSpanUp;
+    const double root = middle + half * x;
+    // Ends of which either may be the true one have the errors of both.
+    if (sign > 0.0)
+    {
+      if (root - off > part.from + part.fromError)
+      {
+        part.from = root;
+        part.fromError = off;
+      }
+      else if (root + off > part.from - part.fromError)
+      {
+        const double before = part.from;
+        part.from = std::max(part.from, root);
+        part.fromError = std::max(part.fromError, off) + std::fabs(before - root);
+      }
+    }
+    else
+    {
+      if (root + off < part.to - part.toError)
+      {
+        part.to = root;
+        part.toError = off;
+      }
+      else if (root - off < part.to + part.toError)
+      {
+        const double before = part.to;
+        part.to = std::min(part.to, root);
+        part.toError = std::max(part.toError, off) + std::fabs(before - root);
+      }
+    }
+  }
+
+  std::vector<Inside>& Out;
+};
+} // namespace
+
+void RaySpans::Find(std::span<const VolumeRay> rays, double part, double tau)
+{
+  rays_ = rays;
+  part_ = part;
+  tau_ = tau;
+  found_.clear();
+  rayOf_.clear();
+  series_.clear();
+  lost_.assign(rays.size(), 0);
+  const ElementIndex& index = leaves_.Index();
+  std::map<int, std::vector<int>> raysOf;
+  std::vector<int> elements;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    const VolumeRay& ray = rays[i];
+    if (ray.isDone || !(ray.tNear < ray.tFar))
+    {
+      continue;
+    }
+    const auto segment =
+      ClipRay(index.Bounds(), ray.ray.origin, ray.ray.direction, ray.tNear, ray.tFar);
+    if (!segment)
+    {
+      continue;
+    }
+    elements.clear();
+    index.FindAlong(*segment, elements);
+    for (const int element : elements)
+    {
+      raysOf[element].push_back(static_cast<int>(i));
+    }
+  }
+  for (const auto& [element, some] : raysOf)
+  {
+    FindNearParts(element, some);
+    for (const VolumeLeaf& leaf : leaves_.Of(element))
+    {
+      Gather(element, leaf);
+      if (!passages_.empty())
+      {
+        Evaluate(element, leaf);
+      }
+    }
+  }
+  std::vector<std::size_t> order(found_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order,
+    [this](std::size_t a, std::size_t b)
+    {
+      return std::tie(rayOf_[a], found_[a].from, found_[a].to, a) <
+        std::tie(rayOf_[b], found_[b].from, found_[b].to, b);
+    });
+  spans_.clear();
+  spans_.reserve(order.size());
+  first_.assign(rays.size() + 1, 0);
+  for (const std::size_t k : order)
+  {
+    spans_.push_back(found_[k]);
+    ++first_[static_cast<std::size_t>(rayOf_[k]) + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+}
+
+void RaySpans::FindNearParts(int element, std::span<const int> rays)
+{
+  near_.clear();
+  const Box3& box = leaves_.Index().ElementBox(element);
+  for (const int i : rays)
+  {
+    const VolumeRay& ray = rays_[static_cast<std::size_t>(i)];
+    const auto inBox = ClipRay(box, ray.ray.origin, ray.ray.direction, ray.tNear, ray.tFar);
+    if (!inBox)
+    {
+      continue;
+    }
+    const double tNear = glm::dot(inBox->from - ray.ray.origin, ray.ray.direction);
+    const double tFar = glm::dot(inBox->to - ray.ray.origin, ray.ray.direction);
+    // More than rounding.
+    const double more = 1e-9 * (tFar - tNear) + 1e-14 * std::fabs(tFar);
+    const NearPart part{ i, std::max(ray.tNear, tNear - more), std::min(ray.tFar, tFar + more) };
+    if (part.tNear < part.tFar)
+    {
+      near_.push_back(part);
+    }
+  }
+}
+
+void RaySpans::Gather(int element, const VolumeLeaf& leaf)
+{
+  passages_.clear();
+  const Mesh& mesh = leaves_.Index().GetMesh();
+  const auto e = static_cast<std::size_t>(element);
+  const Vec3 centre(mesh.centre[3 * e], mesh.centre[3 * e + 1], mesh.centre[3 * e + 2]);
+  const double scale = 1.0 / mesh.size[e];
+  const XiInverse& inverse = leaf.inverse;
+  const Vec3 origin(inverse.origin[0], inverse.origin[1], inverse.origin[2]);
+  // Where the frame is of no use, whole elements are sampled.
+  const bool isFramed = std::isfinite(inverse.deviation.x + inverse.slack);
+  for (const auto& [i, tNear, tFar] : near_)
+  {
+    const VolumeRay& ray = rays_[static_cast<std::size_t>(i)];
+    const double length = tFar - tNear;
+    // z = z0 + t dz, about the middle of the passage so far.
+    const double t0 = 0.5 * (tNear + tFar);
+    const Vec3 x0 = ray.ray.origin + t0 * ray.ray.direction;
+    const Vec3 z0 = inverse.Apply((x0 - centre) * scale - origin);
+    const Vec3 dz = inverse.Apply(ray.ray.direction * scale);
+    double from = tNear - t0;
+    double to = tFar - t0;
+    if (isFramed)
+    {
+      const double rounding = inverse.Norm() * scale * Gamma(8) *
+        (glm::length(ray.ray.origin) + glm::length(centre) + std::fabs(t0) + length);
+      for (const LeafSide& side : leaf.sides)
+      {
+        const Vec3 size = glm::abs(side.slope);
+        const double more = glm::dot(size, inverse.deviation) +
+          (size.x + size.y + size.z) * (inverse.slack + rounding) + 1e-12;
+        const double at = side.constant + glm::dot(side.slope, z0) + more;
+        const double slope = glm::dot(side.slope, dz);
+        if (slope > 0.0)
+        {
+          from = std::max(from, -at / slope);
+        }
+        else if (slope < 0.0)
+        {
+          to = std::min(to, -at / slope);
+        }
+        else if (at < 0.0)
+        {
+          to = from - 1.0;
+        }
+        if (!(to > from))
+        {
+          break;
+        }
+      }
+    }
+    if (!(to > from))
+    {
+      continue;
+    }
+    // More than the rounding of the ends.
+    const double more = 1e-9 * (to - from);
+    from = std::max(from - more, ray.tNear - t0);
+    to = std::min(to + more, ray.tFar - t0);
+    Passage passage{ i, t0 + 0.5 * (from + to), 0.5 * (to - from), z0 + 0.5 * (from + to) * dz,
+      0.5 * (to - from) * dz, kSampledPoints, kInfinity, kInfinity };
+    if (inverse.IsProven())
+    {
+      const double place =
+        leaves_.GetTolerances().place * part_ / std::max(1.0, 2.0 * tau_ * passage.half);
+      const double value = leaves_.GetTolerances().value * part_;
+      for (const int n : kPointCounts)
+      {
+        passage.points = n;
+        passage.placeError = InterpolationError(inverse, passage.z, passage.dz, n);
+        if (passage.placeError > place)
+        {
+          continue;
+        }
+        passage.valueError = 0.0;
+        for (const DiscBounds& bounds : leaf.fieldBounds)
+        {
+          passage.valueError = std::max(
+            passage.valueError, InterpolationError(inverse, bounds, passage.z, passage.dz, n));
+        }
+        if (passage.valueError <= value)
+        {
+          break;
+        }
+      }
+    }
+    passages_.push_back(passage);
+  }
+}
+
+void RaySpans::Evaluate(int element, const VolumeLeaf& leaf)
+{
+  const Mesh& mesh = leaves_.Index().GetMesh();
+  const auto e = static_cast<std::size_t>(element);
+  int count = 0;
+  for (const Passage& passage : passages_)
+  {
+    count += passage.points;
+  }
+  const auto stride = static_cast<std::size_t>(PaddedCount(count));
+  const auto components = static_cast<std::size_t>(leaves_.Components());
+  // x, starts, xi, Phi, status, margin, residual, values
+  lanes_.assign(stride * (15 + components), 0.0);
+  double* const data = lanes_.data();
+  const auto row = [&](std::size_t k) { return data + k * stride; };
+  std::size_t at = 0;
+  for (const Passage& passage : passages_)
+  {
+    const VolumeRay& ray = rays_[static_cast<std::size_t>(passage.ray)];
+    const double* nodes = Cosines(passage.points).data() + passage.points;
+    for (int i = 0; i < passage.points; ++i, ++at)
+    {
+      const double node = nodes[i];
+      const Vec3 x = ray.ray.origin + (passage.middle + passage.half * node) * ray.ray.direction;
+      const Vec3 s = glm::clamp(passage.z + node * passage.dz, Vec3(-1.5), Vec3(1.5));
+      const Vec3 xi = leaf.inverse.centre + leaf.inverse.halfWidth * s;
+      for (int d = 0; d < 3; ++d)
+      {
+        row(static_cast<std::size_t>(d))[at] = x[d];
+        row(3 + static_cast<std::size_t>(d))[at] = std::isfinite(xi[d]) ? xi[d] : 0.0;
+      }
+    }
+  }
+  for (; at < stride; ++at)
+  {
+    for (std::size_t k = 0; k < 6; ++k)
+    {
+      row(k)[at] = row(k)[at - 1];
+    }
+  }
+  InverseProblem problem = MakeInverseProblem(mesh, element, leaves_.Index().BoundsOf(element));
+  problem.from = { row(3), row(4), row(5) };
+  const LanePoints x{ { row(0), row(1), row(2) }, count };
+  KernelsFor(problem.space)
+    .invert(problem, x, { { row(6), row(7), row(8) }, row(12), row(13), row(14) });
+  const LanePoints xi{ { row(6), row(7), row(8) }, count };
+  std::array<double*, 3> phi{ row(9), row(10), row(11) };
+  KernelsFor(problem.space).value(problem.space, mesh.map.Coefficients(element), 3, xi, phi.data());
+  std::vector<double*> values(components);
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    values[c] = row(15 + c);
+  }
+  const Space& space = leaves_.FieldSpace(element);
+  KernelsFor(space).value(
+    space, leaves_.FieldCoefficients(element), leaves_.Components(), xi, values.data());
+  // z - A^-1 (Phi(xi) - a_0) takes the place of Phi.
+  const Vec3 centre(mesh.centre[3 * e], mesh.centre[3 * e + 1], mesh.centre[3 * e + 2]);
+  const double scale = 1.0 / mesh.size[e];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+  {
+    const Vec3 y = (Vec3(row(0)[k], row(1)[k], row(2)[k]) - centre) * scale;
+    const Vec3 miss = leaf.inverse.Apply(Vec3(phi[0][k], phi[1][k], phi[2][k]) - y);
+    for (int d = 0; d < 3; ++d)
+    {
+      phi[static_cast<std::size_t>(d)][k] = miss[d];
+      double& place = row(6 + static_cast<std::size_t>(d))[k];
+      place = (place - leaf.inverse.centre[d]) / leaf.inverse.halfWidth[d];
+    }
+  }
+  at = 0;
+  for (const Passage& passage : passages_)
+  {
+    Interpolate(element, leaf, passage, at, stride);
+    at += static_cast<std::size_t>(passage.points);
+  }
+}
+
+void RaySpans::Interpolate(
+  int element, const VolumeLeaf& leaf, const Passage& passage, std::size_t at, std::size_t stride)
+{
+  const double* const data = lanes_.data() + at;
+  const auto row = [&](std::size_t k) { return data + k * stride; };
+  const auto n = static_cast<std::size_t>(passage.points);
+  Vec3 reach(0.0);
+  double miss = 0.0;
+  double allS = 0.0;
+  bool converged = true;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const int axis = static_cast<int>(d);
+      reach[axis] = std::max(reach[axis], std::fabs(row(6 + d)[i]));
+      miss = std::max(miss, std::fabs(row(9 + d)[i]));
+      allS += row(6 + d)[i];
+    }
+    converged = converged && row(12)[i] != static_cast<double>(NewtonStatus::NotConverged);
+  }
+  converged = converged && std::isfinite(allS) && miss < 1e-3;
+  const auto components = static_cast<std::size_t>(leaves_.Components());
+  double largest = 0.0;
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double value = std::fabs(row(15 + c)[i]);
+      largest = value >= largest || std::isnan(value) ? value : largest;
+    }
+  }
+  if (!converged || !std::isfinite(largest))
+  {
+    lost_[static_cast<std::size_t>(passage.ray)] = 1;
+    return;
+  }
+
+  const Mesh& mesh = leaves_.Index().GetMesh();
+  const auto e = static_cast<std::size_t>(element);
+  const VolumeRay& ray = rays_[static_cast<std::size_t>(passage.ray)];
+  const XiInverse& inverse = leaf.inverse;
+  // How far z may be off in a point: rounding of x and y, the kernel's miss, series and kernels.
+  const double far = glm::length(ray.ray.origin) + std::fabs(passage.middle) + passage.half +
+    std::fabs(mesh.centre[3 * e]) + std::fabs(mesh.centre[3 * e + 1]) +
+    std::fabs(mesh.centre[3 * e + 2]);
+  const double growth = GrowthOutside(inverse.degree, reach);
+  const double off =
+    (miss + inverse.slack * growth + inverse.Norm() * Gamma(12) * far / mesh.size[e]) * kSpanUp;
+  double r = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    r = std::max(r, std::fabs(passage.z[d]) + std::fabs(passage.dz[d]));
+  }
+  const XiInverse::Slope slope = inverse.SlopeAt(r * kSpanUp, off);
+  const bool isKnown = slope.disc >= 0;
+  const auto disc = static_cast<std::size_t>(isKnown ? slope.disc : 0);
+  // The points must be the roots that the proof is about.
+  const bool isSame = isKnown && std::max({ reach.x, reach.y, reach.z }) <= kDiscRadii[disc];
+  const double placeOff = slope.factor * off;
+  const double lebesgue = ChebyshevLebesgue(passage.points);
+  const double placeError = isSame
+    ? (passage.placeError + lebesgue * placeOff + Gamma(4 * passage.points) * 64.0) * kSpanUp
+    : kInfinity;
+  RaySpan whole{ element, 0.0, 0.0, 0.0, 0.0, passage.middle, passage.half, passage.points,
+    series_.size(), passage.valueError, isSame && std::isfinite(passage.valueError) };
+  series_.resize(series_.size() + components * n);
+  const std::array<int, 3> degree{ leaves_.FieldSpace(element).order[0],
+    leaves_.FieldSpace(element).order[1], leaves_.FieldSpace(element).order[2] };
+  const double fieldGrowth = GrowthOutside(degree, reach);
+  double valueOff = 0.0;
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    ToCoefficients(row(15 + c), passage.points, &series_[whole.series + c * n]);
+    const double bySlope =
+      isSame ? leaf.fieldBounds[c][disc] / kDiscRadii[disc] * placeOff : kInfinity;
+    valueOff = std::max(valueOff, bySlope + leaf.fieldNoise[c] * fieldGrowth);
+  }
+  whole.error =
+    (passage.valueError + lebesgue * valueOff + Gamma(4 * passage.points) * 64.0 * largest) *
+    kSpanUp;
+  whole.isProven = whole.isProven && std::isfinite(whole.error) && std::isfinite(placeError);
+
+  std::array<std::array<double, kMaxRayPoints>, 3> place{};
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    ToCoefficients(row(6 + d), passage.points, place[d].data());
+  }
+  AddSpans(leaf, whole, passage.ray, place, whole.isProven ? placeError : 1e-9);
+}
+
+void RaySpans::AddSpans(const VolumeLeaf& leaf, const RaySpan& whole, int ray,
+  const std::array<std::array<double, kMaxRayPoints>, 3>& place, double placeError)
+{
+  const auto count = static_cast<std::size_t>(whole.points);
+  std::vector<SideSeries> sides(leaf.sides.size());
+  for (std::size_t k = 0; k < sides.size(); ++k)
+  {
+    const LeafSide& side = leaf.sides[k];
+    SideSeries& along = sides[k];
+    along.count = count;
+    double size = 0.0;
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const double slope = side.slope[static_cast<int>(d)];
+      size += std::fabs(slope);
+      for (std::size_t i = 0; i < count && slope != 0.0; ++i)
+      {
+        along.values[i] += slope * place[d][i];
+      }
+    }
+    along.values[0] += side.constant;
+    along.error = size * placeError * kSpanUp + 1e-15;
+  }
+  std::vector<Inside> parts;
+  InsideSearch(parts).Run(sides, -1.0, 1.0, kMaxLevels);
+  for (const Inside& part : parts)
+  {
+    RaySpan span = whole;
+    span.from = whole.middle + whole.half * part.from;
+    span.to = whole.middle + whole.half * part.to;
+    span.fromError = whole.half * part.fromError * kSpanUp;
+    span.toError = whole.half * part.toError * kSpanUp;
+    found_.push_back(span);
+    rayOf_.push_back(ray);
+  }
+}
+} // namespace pixelexact
