@@ -531,36 +531,54 @@ XiInverse MakeXiInverse(const Mesh& mesh, int element, const BoxSeries& phi, con
   return made;
 }
 
-double InterpolationError(
-  const XiInverse& inverse, const DiscBounds& bounds, const Vec3& middle, const Vec3& half, int n)
+RayEllipses::RayEllipses(const XiInverse& inverse, const Vec3& middle, const Vec3& half)
 {
-  double best = kInfinity;
-  for (std::size_t disc = 0; disc < bounds.size(); ++disc)
+  for (std::size_t disc = 0; disc < rho_.size(); ++disc)
   {
     if (!(inverse.reach[disc] > 0.0))
     {
       continue;
     }
     // The ellipse's image stays within |middle| + |half| (rho + 1 / rho) / 2.
-    double q = kInfinity;
+    double q = 1e6;
     for (int d = 0; d < 3; ++d)
     {
       const double room = inverse.reach[disc] - std::fabs(middle[d]);
       q = half[d] != 0.0 ? std::min(q, room / std::fabs(half[d])) : (room > 0.0 ? q : 0.0);
     }
-    if (!(q > 1.0))
+    if (q > 1.0)
     {
-      continue;
+      q *= 1.0 - 1e-9;
+      rho_[disc] = q > 1.0 ? q + std::sqrt(q * q - 1.0) : 0.0;
     }
-    q = std::min(q, 1e6) * (1.0 - 1e-9);
-    const double rho = q + std::sqrt(q * q - 1.0);
-    best = std::min(best, 4.0 * bounds[disc] * std::pow(rho, 1 - n) / (rho - 1.0) * kSumUp);
+  }
+}
+
+double RayEllipses::Error(const DiscBounds& bounds, int n) const
+{
+  double best = kInfinity;
+  for (std::size_t disc = 0; disc < bounds.size(); ++disc)
+  {
+    if (rho_[disc] > 1.0)
+    {
+      best = std::min(
+        best, 4.0 * bounds[disc] * std::pow(rho_[disc], 1 - n) / (rho_[disc] - 1.0) * kSumUp);
+    }
   }
   return best;
 }
 
-double InterpolationError(const XiInverse& inverse, const Vec3& middle, const Vec3& half, int n)
+int RayEllipses::PointsFor(const DiscBounds& bounds, double tolerance) const
 {
-  return InterpolationError(inverse, kDiscRadii, middle, half, n);
+  double fewest = kMaxRayPoints;
+  for (std::size_t disc = 0; disc < bounds.size(); ++disc)
+  {
+    if (rho_[disc] > 1.0 && std::isfinite(bounds[disc]))
+    {
+      const double ratio = 4.0 * bounds[disc] / ((rho_[disc] - 1.0) * tolerance);
+      fewest = std::min(fewest, ratio > 1.0 ? 1.0 + std::log(ratio) / std::log(rho_[disc]) : 1.0);
+    }
+  }
+  return static_cast<int>(std::ceil(fewest));
 }
 } // namespace pixelexact

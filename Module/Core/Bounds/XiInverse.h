@@ -92,13 +92,21 @@ struct XiInverse
 [[nodiscard]] XiInverse MakeXiInverse(
   const Mesh& mesh, int element, const BoxSeries& phi, const Box3& box);
 
-/// The largest |f - p| on the line z = middle + x half, x in [-1,1], for the interpolant p of
-/// f(s(z)) in n Chebyshev points of the first kind; `bounds`: of |f - f_0| over the polydiscs.
-/// Infinite where nothing is proven.
-[[nodiscard]] double InterpolationError(
-  const XiInverse& inverse, const DiscBounds& bounds, const Vec3& middle, const Vec3& half, int n);
+/// The ellipses of complex x, for each polydisc of s, in which f(s(z)) is analytic on the line
+/// z = middle + x half, x in [-1,1].
+class RayEllipses
+{
+public:
+  RayEllipses(const XiInverse& inverse, const Vec3& middle, const Vec3& half);
 
-/// The same for the s themselves.
-[[nodiscard]] double InterpolationError(
-  const XiInverse& inverse, const Vec3& middle, const Vec3& half, int n);
+  /// The largest |f - p| on the line, for the interpolant p in n Chebyshev points of the first
+  /// kind. `bounds`: of |f - f_0| over the polydiscs; kDiscRadii for the s themselves. Infinite
+  /// where nothing is proven.
+  [[nodiscard]] double Error(const DiscBounds& bounds, int n) const;
+  /// The number of points with which Error is about the tolerance; at most kMaxRayPoints.
+  [[nodiscard]] int PointsFor(const DiscBounds& bounds, double tolerance) const;
+
+private:
+  DiscBounds rho_{}; ///< sums of the half axes; 0: there is no ellipse
+};
 } // namespace pixelexact

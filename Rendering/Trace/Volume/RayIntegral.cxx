@@ -40,6 +40,7 @@ struct RayIntegral::Step
   std::array<double, 3> last{}; ///< colours at its ends; between them linear
   double ruleError = 0.0;
   double valueError = 0.0; ///< by the error of u
+  bool isShort = false;    ///< u varies by less than its error, so shorter steps gain nothing
 };
 
 void RayIntegral::Begin(double length)
@@ -105,6 +106,7 @@ RayIntegral::Step RayIntegral::StepTo(
   const auto bounds = transfer_.BoundsOver(lower - off, upper + off);
 
   Step step;
+  step.isShort = off >= upper - lower;
   if (bounds.tau == 0.0)
   {
     return step;
@@ -208,7 +210,7 @@ bool RayIntegral::Add(const RaySpan& span, const double* series, double from, do
     const Place last = at(end);
     const Step step = StepTo(span, first, middle, last, width);
     const double allowed = rate_ * width + kStepAllowance;
-    if (through_ * step.ruleError > allowed && width > shortest_)
+    if (through_ * step.ruleError > allowed && width > shortest_ && !step.isShort)
     {
       // The error falls with the third power of the width, at least with the second.
       const double share = std::sqrt(allowed / (through_ * step.ruleError));

@@ -19,7 +19,8 @@ namespace pixelexact
 namespace
 {
 /// Numbers of points that interpolants have.
-constexpr std::array<int, 9> kPointCounts{ 3, 4, 5, 6, 8, 10, 14, 18, kMaxRayPoints };
+constexpr std::array<int, 14> kPointCounts{ 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21,
+  kMaxRayPoints };
 /// The number of points in a leaf without a proof.
 constexpr int kSampledPoints = 18;
 /// Levels to which a passage is subdivided to find where it enters and leaves its leaf.
@@ -421,24 +422,18 @@ void RaySpans::Gather(int element, const VolumeLeaf& leaf)
       const double place =
         leaves_.GetTolerances().place * part_ / std::max(1.0, 2.0 * tau_ * passage.half);
       const double value = leaves_.GetTolerances().value * part_;
-      for (const int n : kPointCounts)
+      const RayEllipses ellipses(inverse, passage.z, passage.dz);
+      int needed = ellipses.PointsFor(kDiscRadii, place);
+      for (const DiscBounds& bounds : leaf.fieldBounds)
       {
-        passage.points = n;
-        passage.placeError = InterpolationError(inverse, passage.z, passage.dz, n);
-        if (passage.placeError > place)
-        {
-          continue;
-        }
-        passage.valueError = 0.0;
-        for (const DiscBounds& bounds : leaf.fieldBounds)
-        {
-          passage.valueError = std::max(
-            passage.valueError, InterpolationError(inverse, bounds, passage.z, passage.dz, n));
-        }
-        if (passage.valueError <= value)
-        {
-          break;
-        }
+        needed = std::max(needed, ellipses.PointsFor(bounds, value));
+      }
+      passage.points = *std::ranges::find_if(kPointCounts, [needed](int n) { return n >= needed; });
+      passage.placeError = ellipses.Error(kDiscRadii, passage.points);
+      passage.valueError = 0.0;
+      for (const DiscBounds& bounds : leaf.fieldBounds)
+      {
+        passage.valueError = std::max(passage.valueError, ellipses.Error(bounds, passage.points));
       }
     }
     passages_.push_back(passage);

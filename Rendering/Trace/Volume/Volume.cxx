@@ -252,13 +252,13 @@ const VolumeLeaves& VolumeDrawing::LeavesOf(const Scene& scene) const
     const TransferFunction& transfer = *volume_.transfer;
     // The integral's error is about that of u times the steepness times the visible part of the
     // path, a few units, and that of places times the visible optical depth.
-    const double units = 1.0 + std::min(4.0, diagonal / transfer.Unit());
+    const double units = 1.0 + std::min(1.0, diagonal / transfer.Unit());
     const double value =
-      transfer.Steepness() > 0.0 ? kVolumeTolerance / 8.0 / (transfer.Steepness() * units) : 1e300;
+      transfer.Steepness() > 0.0 ? kVolumeTolerance / 4.0 / (transfer.Steepness() * units) : 1e300;
     leaves_ = std::make_shared<VolumeLeaves>(index, *volume_.field,
       magnitude_ ? 0 : std::max(0, volume_.component),
       magnitude_ ? volume_.field->values.components : 1,
-      VolumeLeaves::Tolerances{ value, kVolumeTolerance / 32.0 });
+      VolumeLeaves::Tolerances{ value, kVolumeTolerance / 16.0 });
   }
   return *leaves_;
 }

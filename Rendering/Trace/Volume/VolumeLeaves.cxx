@@ -115,8 +115,9 @@ VolumeLeaf VolumeLeaves::MakeLeaf(
     MakeBoxSeries(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3, box);
   leaf.inverse = MakeXiInverse(mesh, element, phi, box);
   const Vec3 half = Vec3(1.0) + leaf.inverse.deviation;
-  leaf.isProven = leaf.inverse.IsProven() &&
-    InterpolationError(leaf.inverse, Vec3(0.0), half, kPoints) <= tolerances_.place;
+  const RayEllipses ellipses(leaf.inverse, Vec3(0.0), half);
+  leaf.isProven =
+    leaf.inverse.IsProven() && ellipses.Error(kDiscRadii, kPoints) <= tolerances_.place;
   if (!leaf.isProven && mayDivide)
   {
     // The map decides where its inverse is not proven; nobody needs the field.
@@ -132,9 +133,8 @@ VolumeLeaf VolumeLeaves::MakeLeaf(
     leaf.fieldBounds.push_back(field.OverDiscs(c));
     leaf.fieldNoise.push_back(field.error[c] + field.noise[c]);
     isFinite = isFinite && std::isfinite(leaf.fieldBounds[c].front());
-    leaf.isProven = leaf.isProven &&
-      InterpolationError(leaf.inverse, leaf.fieldBounds[c], Vec3(0.0), half, kPoints) <=
-        tolerances_.value;
+    leaf.isProven =
+      leaf.isProven && ellipses.Error(leaf.fieldBounds[c], kPoints) <= tolerances_.value;
   }
   direction = isFinite ? direction : -1;
   return leaf;

@@ -45,7 +45,7 @@ public:
   /// No leaf is narrower than this part of the element, per direction.
   static constexpr double kNarrowest = 1.0 / 64.0;
   /// Points of the interpolant with which a ray through the whole leaf meets the tolerances.
-  static constexpr int kPoints = 18;
+  static constexpr int kPoints = 24;
 
   /// The index and the field's arrays must outlive this object. The field needs polynomials
   /// without a mapping; components [first, first + count) are bounded.
