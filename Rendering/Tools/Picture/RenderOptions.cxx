@@ -82,7 +82,7 @@ void RenderOptions::Check(const std::string& picture)
     throw UsageError("--jpeg-quality has no effect on '" + picture + "'; name a .jpg");
   }
   animation.Check(shot.input);
-  shot.volume.Check();
+  shot.volume.Check(shot.HasVolumeAlone());
   if (shot.volume.IsAsked() && animation.IsAsked(shot.input))
   {
     throw UsageError("--volume: is not available in animations; choose one --time-step");

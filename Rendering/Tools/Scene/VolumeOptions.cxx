@@ -60,7 +60,7 @@ void VolumeOptions::AddTo(CLI::App& command)
   Bind(command, "--opacity-unit", unit_);
 }
 
-void VolumeOptions::Check() const
+void VolumeOptions::Check(bool alone) const
 {
   if (!IsAsked())
   {
@@ -73,6 +73,16 @@ void VolumeOptions::Check() const
     {
       throw UsageError(std::string("--volume: ") + option +
         " is not available for pictures with a volume; leave it out");
+    }
+  }
+  for (const char* option :
+    { "--field", "--component", "--precision", "--layer", "--contours", "--edges", "--outlines",
+      "--color", "--colormap", "--bands", "--log", "--nan-color", "--lights", "--enclosures" })
+  {
+    if (alone && IsGiven(*Command, option))
+    {
+      throw UsageError(std::string(option) +
+        " has no effect: it is about surfaces, and there are none; add a surface or leave it out");
     }
   }
   if (AreSeveralProcesses())

@@ -23,8 +23,9 @@ public:
   /// The field as it was named, perhaps with a component.
   [[nodiscard]] const std::string& Name() const { return name_; }
 
-  /// Throws UsageError for options that a volume excludes, and for colours that do not exist.
-  void Check() const;
+  /// Throws UsageError for options that a volume excludes, for those that have no effect where it
+  /// is `alone`, without a surface, and for colours that do not exist.
+  void Check(bool alone) const;
 
   /// The volume of a model. A map by name is spread over the range of `colors` where that has
   /// ends, else over the proven range of the field. Throws Error where the field or the file cannot
