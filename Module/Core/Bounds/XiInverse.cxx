@@ -65,11 +65,6 @@ void ForEachIndex(const std::array<int, 3>& degree, const Visit& visit)
   }
 }
 
-double LebesgueOf(int degree)
-{
-  return degree == 0 ? 1.0 : 2.0 / std::numbers::pi * std::log(degree + 2.0) + 1.0;
-}
-
 //--- Rounding of the kernels ---
 
 /// Bounds |t^n P_n^{(a,0)}(y / t)| of |y| <= largest y, |t| <= largest t, by the recurrence with
@@ -257,6 +252,11 @@ std::array<int, 3> DegreeInXi(const Space& space)
 }
 } // namespace
 
+double ChebyshevLebesgue(int n)
+{
+  return 2.0 / std::numbers::pi * std::log(static_cast<double>(n)) + 1.0;
+}
+
 DiscBounds BoxSeries::OverDiscs(std::size_t component) const
 {
   DiscBounds bounds{};
@@ -319,7 +319,7 @@ BoxSeries MakeBoxSeries(
   double lebesgue = 1.0;
   for (const int degree : series.degree)
   {
-    lebesgue *= LebesgueOf(degree);
+    lebesgue *= ChebyshevLebesgue(degree + 1);
   }
   for (std::size_t c = 0; c < out.size(); ++c)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Bounds/AnalyticInverse.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Math/Vec.h"
 
@@ -12,10 +11,9 @@
 
 // The inverse of an element's map over a box of xi, as an analytic function on a complex
 // neighbourhood. Along a ray, xi and every polynomial of xi are then analytic functions of t, and
-// their interpolants in Chebyshev's points have a proven error. AnalyticInverse is the same over
-// boxes of eta; it is not proven where eta collapses, and the rounding of its Taylor coefficients
-// grows with the polydisc. Here the map is replaced by the polynomial that has exactly the computed
-// coefficients, which is off by rounding at real points alone.
+// their interpolants in Chebyshev's points have a proven error. The map is replaced by the
+// polynomial that has exactly the computed coefficients, which is off by rounding at real points
+// alone: the rounding of coefficients would grow with the polydisc.
 //
 // With s = (xi - centre) / halfWidth and z = A^-1 (Phi(xi) - a_0), A and a_0 the coefficients of
 // degree 0 and 1 of Phi's Chebyshev series over the box, z = s + N(s). On the polydisc |s_d| <= R
@@ -27,6 +25,16 @@
 // alias each coefficient beyond the degree to one within it.
 namespace pixelexact
 {
+/// Radii of polydiscs about the middle of a box, in half widths of the box.
+inline constexpr std::array<double, 8> kDiscRadii{ 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 };
+
+/// One number for each of kDiscRadii.
+using DiscBounds = std::array<double, kDiscRadii.size()>;
+
+/// Bounds the Lebesgue constant of n Chebyshev points of the first kind: (2 / pi) log n + 1
+/// (Trefethen 2013, theorem 15.2).
+[[nodiscard]] double ChebyshevLebesgue(int n);
+
 /// The largest number of Chebyshev's points along a ray.
 inline constexpr int kMaxRayPoints = 24;
 
