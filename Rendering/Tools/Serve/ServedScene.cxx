@@ -6,6 +6,8 @@
 #include "Base/Report.h"
 #include "Serve/ServedInput.h"
 
+#include <vtkUnstructuredGrid.h>
+
 namespace pixelexact
 {
 std::shared_ptr<CLI::App> ParseRender(const std::vector<std::string>& words, RenderOptions& options)

@@ -182,11 +182,10 @@ private:
       const SideSeries& side = sides[k];
       const int n = static_cast<int>(side.count);
       std::array<double, kMaxRayPoints> values{};
-      for (int i = 0; i < n; ++i)
+      for (std::size_t i = 0; i < side.count; ++i)
       {
-        const double x = Cosines(n)[static_cast<std::size_t>(n + i)];
-        values[static_cast<std::size_t>(i)] =
-          ValueAt(side.Coefficients(), 0.5 * (from + to) + 0.5 * (to - from) * x);
+        const double x = Cosines(n)[side.count + i];
+        values[i] = ValueAt(side.Coefficients(), 0.5 * (from + to) + 0.5 * (to - from) * x);
       }
       ToCoefficients(values.data(), n, parts[k].values.data());
       parts[k].count = side.count;
