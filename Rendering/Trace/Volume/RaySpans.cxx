@@ -3,6 +3,7 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
+#include "Trace/Volume/InsideSearch.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -23,249 +23,6 @@ constexpr std::array<int, 14> kPointCounts{ 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16,
   kMaxRayPoints };
 /// The number of points in a leaf without a proof.
 constexpr int kSampledPoints = 18;
-/// Levels to which a passage is subdivided to find where it enters and leaves its leaf.
-constexpr int kMaxLevels = 10;
-constexpr double kSpanUp = 1.0 + 1e-9;
-
-/// cos(k theta_i) for n points of the first kind: [k * n + i].
-const std::vector<double>& Cosines(int n)
-{
-  static const std::vector<std::vector<double>> tables = []
-  {
-    std::vector<std::vector<double>> all(kMaxRayPoints + 1);
-    for (std::size_t m = 1; m < all.size(); ++m)
-    {
-      all[m].resize(m * m);
-      for (std::size_t k = 0; k < m; ++k)
-      {
-        for (std::size_t i = 0; i < m; ++i)
-        {
-          all[m][k * m + i] = std::cos(std::numbers::pi *
-            static_cast<double>(k * (2 * i + 1) % (4 * m)) / (2.0 * static_cast<double>(m)));
-        }
-      }
-    }
-    return all;
-  }();
-  return tables[static_cast<std::size_t>(n)];
-}
-
-/// Writes the n coefficients of the interpolant of values in Chebyshev's points.
-void ToCoefficients(const double* values, int n, double* coefficients)
-{
-  const double* cosine = Cosines(n).data();
-  for (int k = 0; k < n; ++k)
-  {
-    double sum = 0.0;
-    for (int i = 0; i < n; ++i)
-    {
-      sum += cosine[k * n + i] * values[i];
-    }
-    coefficients[k] = sum * (k == 0 ? 1.0 : 2.0) / n;
-  }
-}
-
-double ValueAt(std::span<const double> coefficients, double x)
-{
-  double b1 = 0.0;
-  double b2 = 0.0;
-  for (std::size_t k = coefficients.size() - 1; k > 0; --k)
-  {
-    const double b0 = 2.0 * x * b1 - b2 + coefficients[k];
-    b2 = b1;
-    b1 = b0;
-  }
-  return x * b1 - b2 + coefficients[0];
-}
-
-/// An interval of x in [-1, 1] in which a point is inside a leaf, and how far its ends may be off.
-struct Inside
-{
-  double from;
-  double to;
-  double fromError = 0.0;
-  double toError = 0.0;
-  bool isSure = true;
-};
-
-/// A linear function of s along a ray, and how far it may be off.
-struct SideSeries
-{
-  std::array<double, kMaxRayPoints> values{};
-  std::size_t count = 0;
-  double error = 0.0;
-
-  [[nodiscard]] std::span<const double> Coefficients() const
-  {
-    return std::span(values).first(count);
-  }
-};
-
-/// Finds where all sides are >= 0. Series are over [from, to]; results are in the x of the whole.
-class InsideSearch
-{
-public:
-  explicit InsideSearch(std::vector<Inside>& out)
-    : Out(out)
-  {
-  }
-
-  void Run(const std::vector<SideSeries>& sides, double from, double to, int levels)
-  {
-    const double half = 0.5 * (to - from);
-    const double middle = 0.5 * (from + to);
-    Inside part{ from, to };
-    bool isUndecided = false;
-    for (const SideSeries& side : sides)
-    {
-      const std::span<const double> a = side.Coefficients();
-      double others = 0.0; // bounds everything but the first two terms
-      double bend = 0.0;   // bounds the slope of all terms but the first two
-      for (std::size_t k = 2; k < a.size(); ++k)
-      {
-        others += std::fabs(a[k]);
-        bend += static_cast<double>(k * k) * std::fabs(a[k]);
-      }
-      const double linear = a.size() > 1 ? a[1] : 0.0;
-      const double reach = (std::fabs(linear) + others) * kSpanUp;
-      if (a[0] - reach > side.error)
-      {
-        continue;
-      }
-      if (a[0] + reach < -side.error)
-      {
-        return;
-      }
-      const double slope = std::fabs(linear) - bend * kSpanUp;
-      if (!(slope > 0.25 * std::fabs(linear)) || !(slope > 0.0))
-      {
-        isUndecided = true;
-        continue;
-      }
-      Clip(a, side.error, slope, middle, half, part);
-    }
-    if (isUndecided && levels > 0)
-    {
-      Run(Parts(sides, -1.0, 0.0), from, middle, levels - 1);
-      Run(Parts(sides, 0.0, 1.0), middle, to, levels - 1);
-      return;
-    }
-    if (isUndecided)
-    {
-      // The whole part may be inside or outside.
-      const bool inside = std::ranges::all_of(
-        sides, [](const SideSeries& side) { return ValueAt(side.Coefficients(), 0.0) >= 0.0; });
-      const double width = to - from;
-      Out.push_back(inside ? Inside{ from, to, width, width, false }
-                           : Inside{ middle, middle, width, width, false });
-      return;
-    }
-    if (part.to >= part.from)
-    {
-      Out.push_back(part);
-    }
-    else if (part.from - part.to < part.fromError + part.toError)
-    {
-      // It may be inside over less than the errors of both ends.
-      const double at = 0.5 * (part.from + part.to);
-      Out.push_back({ at, at, part.fromError, part.toError });
-    }
-  }
-
-private:
-  /// The series over a part of [-1, 1].
-  static std::vector<SideSeries> Parts(const std::vector<SideSeries>& sides, double from, double to)
-  {
-    std::vector<SideSeries> parts(sides.size());
-    for (std::size_t k = 0; k < sides.size(); ++k)
-    {
-      const SideSeries& side = sides[k];
-      const int n = static_cast<int>(side.count);
-      std::array<double, kMaxRayPoints> values{};
-      for (std::size_t i = 0; i < side.count; ++i)
-      {
-        const double x = Cosines(n)[side.count + i];
-        values[i] = ValueAt(side.Coefficients(), 0.5 * (from + to) + 0.5 * (to - from) * x);
-      }
-      ToCoefficients(values.data(), n, parts[k].values.data());
-      parts[k].count = side.count;
-      parts[k].error = side.error * kSpanUp + 1e-15;
-    }
-    return parts;
-  }
-
-  /// Moves an end of `part` to the root of a monotone side, if that is nearer.
-  static void Clip(
-    std::span<const double> a, double error, double slope, double middle, double half, Inside& part)
-  {
-    const double sign = a[1] > 0.0 ? 1.0 : -1.0;
-    const double first = ValueAt(a, -sign);
-    const double last = ValueAt(a, sign);
-    if (first > error)
-    {
-      return;
-    }
-    if (last < -error)
-    {
-      part.to = part.from - 1.0;
-      part.fromError = part.toError = 0.0;
-      return;
-    }
-    // Newton's iteration with bisection; any x is as good as its residual.
-    double lower = -1.0;
-    double upper = 1.0;
-    double x = first > 0.0 ? -sign : (last < 0.0 ? sign : std::clamp(-a[0] / a[1], -1.0, 1.0));
-    double value = ValueAt(a, x);
-    for (int step = 0; step < 30 && std::fabs(value) > 1e-3 * error; ++step)
-    {
-      (value * sign > 0.0 ? upper : lower) = x;
-      double next = x - value / a[1];
-      if (!(next > lower && next < upper))
-      {
-        next = 0.5 * (lower + upper);
-      }
-      if (next == x || !(upper - lower > 1e-16))
-      {
-        break;
-      }
-      x = next;
-      value = ValueAt(a, x);
-    }
-    const double off = half * (std::fabs(value) + error + 1e-15) / slope * kSpanUp;
-    const double root = middle + half * x;
-    // Ends of which either may be the true one have the errors of both.
-    if (sign > 0.0)
-    {
-      if (root - off > part.from + part.fromError)
-      {
-        part.from = root;
-        part.fromError = off;
-      }
-      else if (root + off > part.from - part.fromError)
-      {
-        const double before = part.from;
-        part.from = std::max(part.from, root);
-        part.fromError = std::max(part.fromError, off) + std::fabs(before - root);
-      }
-    }
-    else
-    {
-      if (root + off < part.to - part.toError)
-      {
-        part.to = root;
-        part.toError = off;
-      }
-      else if (root - off < part.to + part.toError)
-      {
-        const double before = part.to;
-        part.to = std::min(part.to, root);
-        part.toError = std::max(part.toError, off) + std::fabs(before - root);
-      }
-    }
-  }
-
-  std::vector<Inside>& Out;
-};
 } // namespace
 
 void RaySpans::Find(std::span<const VolumeRay> rays, double part, double tau)
@@ -365,6 +122,7 @@ void RaySpans::Gather(int element, const VolumeLeaf& leaf)
   const XiInverse& inverse = leaf.inverse;
   const Vec3 origin(inverse.origin[0], inverse.origin[1], inverse.origin[2]);
   // Where the frame is of no use, whole elements are sampled.
+  const double norm = inverse.Norm() * scale * Gamma(8);
   const bool isFramed = std::isfinite(inverse.deviation.x + inverse.slack);
   for (const auto& [i, tNear, tFar] : near_)
   {
@@ -379,8 +137,8 @@ void RaySpans::Gather(int element, const VolumeLeaf& leaf)
     double to = tFar - t0;
     if (isFramed)
     {
-      const double rounding = inverse.Norm() * scale * Gamma(8) *
-        (glm::length(ray.ray.origin) + glm::length(centre) + std::fabs(t0) + length);
+      const double rounding =
+        norm * (glm::length(ray.ray.origin) + glm::length(centre) + std::fabs(t0) + length);
       for (const LeafSide& side : leaf.sides)
       {
         const Vec3 size = glm::abs(side.slope);
@@ -458,7 +216,7 @@ void RaySpans::Evaluate(int element, const VolumeLeaf& leaf)
   for (const Passage& passage : passages_)
   {
     const VolumeRay& ray = rays_[static_cast<std::size_t>(passage.ray)];
-    const double* nodes = Cosines(passage.points).data() + passage.points;
+    const double* nodes = RayCosines(passage.points).data() + passage.points;
     for (int i = 0; i < passage.points; ++i, ++at)
     {
       const double node = nodes[i];
@@ -565,13 +323,13 @@ void RaySpans::Interpolate(
     std::fabs(mesh.centre[3 * e + 2]);
   const double growth = GrowthOutside(inverse.degree, reach);
   const double off =
-    (miss + inverse.slack * growth + inverse.Norm() * Gamma(12) * far / mesh.size[e]) * kSpanUp;
+    (miss + inverse.slack * growth + inverse.Norm() * Gamma(12) * far / mesh.size[e]) * kInsideUp;
   double r = 0.0;
   for (int d = 0; d < 3; ++d)
   {
     r = std::max(r, std::fabs(passage.z[d]) + std::fabs(passage.dz[d]));
   }
-  const XiInverse::Slope slope = inverse.SlopeAt(r * kSpanUp, off);
+  const XiInverse::Slope slope = inverse.SlopeAt(r * kInsideUp, off);
   const bool isKnown = slope.disc >= 0;
   const auto disc = static_cast<std::size_t>(isKnown ? slope.disc : 0);
   // The points must be the roots that the proof is about.
@@ -579,7 +337,7 @@ void RaySpans::Interpolate(
   const double placeOff = slope.factor * off;
   const double lebesgue = ChebyshevLebesgue(passage.points);
   const double placeError = isSame
-    ? (passage.placeError + lebesgue * placeOff + Gamma(4 * passage.points) * 64.0) * kSpanUp
+    ? (passage.placeError + lebesgue * placeOff + Gamma(4 * passage.points) * 64.0) * kInsideUp
     : kInfinity;
   RaySpan whole{ element, 0.0, 0.0, 0.0, 0.0, passage.middle, passage.half, passage.points,
     series_.size(), passage.valueError, isSame && std::isfinite(passage.valueError) };
@@ -597,7 +355,7 @@ void RaySpans::Interpolate(
   }
   whole.error =
     (passage.valueError + lebesgue * valueOff + Gamma(4 * passage.points) * 64.0 * largest) *
-    kSpanUp;
+    kInsideUp;
   whole.isProven = whole.isProven && std::isfinite(whole.error) && std::isfinite(placeError);
 
   std::array<std::array<double, kMaxRayPoints>, 3> place{};
@@ -629,17 +387,17 @@ void RaySpans::AddSpans(const VolumeLeaf& leaf, const RaySpan& whole, int ray,
       }
     }
     along.values[0] += side.constant;
-    along.error = size * placeError * kSpanUp + 1e-15;
+    along.error = size * placeError * kInsideUp + 1e-15;
   }
   std::vector<Inside> parts;
-  InsideSearch(parts).Run(sides, -1.0, 1.0, kMaxLevels);
+  FindInside(sides, parts);
   for (const Inside& part : parts)
   {
     RaySpan span = whole;
     span.from = whole.middle + whole.half * part.from;
     span.to = whole.middle + whole.half * part.to;
-    span.fromError = whole.half * part.fromError * kSpanUp;
-    span.toError = whole.half * part.toError * kSpanUp;
+    span.fromError = whole.half * part.fromError * kInsideUp;
+    span.toError = whole.half * part.toError * kInsideUp;
     found_.push_back(span);
     rayOf_.push_back(ray);
   }
