@@ -328,6 +328,27 @@ class TestVolume(SurfaceTest):
         summary, _, bound, _ = self.draw(path, EYE)
         self.assertGreater(summary["volume"]["unproven"], 100)
 
+    def test_overlap_in_the_dark(self):
+        """What lies behind 4095 of 4096 parts of the light is left out, but an overlap in front of it is not."""
+        points, cells = self.two_cubes(0.5)
+        path = self.write("overlap.vtu", points, cells, [("u", [0.2] * 8 + [0.7] * 8)])
+        self.write_transfer(Points=[0.0, 0.999, 0.5, 0.0, 1.0, 0.999, 0.5, 0.0])
+        near, far = slabs(EYE, [0.5, 0, 0], [1, 1, 1])
+        _, _, bound, _ = self.draw(path, EYE)
+        self.assertTrue(np.isinf(bound[far > near + 1e-3]).all())
+
+    def test_magnitude_about_zero(self):
+        """Magnitudes have no second derivative at 0, and no point of the transfer function is there."""
+        self.write_transfer(Points=[0.1, 0.9, 0.5, 0.0, 1.0, 0.9, 0.5, 0.0])
+        near, far = slabs(EYE, [0, 0, 0], [1, 1, 1])
+        right = 1 - 0.1 ** (np.maximum(far - near, 0.0) / UNIT)
+        for name, vector in (("zero", [[0.0] * 3] * 8), ("middle", [[0.5 - c for c in p] for p in CUBE])):
+            path = self.write(f"{name}.vtu", CUBE, [(12, list(range(8)))], [("v", vector)])
+            summary, rgba, bound, _ = self.draw(path, EYE, field="v")
+            off = np.abs(rgba[..., 3] - right)
+            self.assertFalse((off > bound + 1e-9).any(), f"{off.max()} {bound.max()}")
+            self.assertEqual(summary["volume"]["unproven"], 0)
+
     def test_preset_and_default_camera(self):
         path = self.write("cube.vtu", CUBE, [(12, list(range(8)))], [("u", [p[0] for p in CUBE])])
         output = self.folder / "preset.png"
@@ -359,6 +380,16 @@ class TestVolume(SurfaceTest):
         ):
             self.write_transfer(**changes)
             self.fails(1, "render", path, "--volume", "u", "--transfer", self.transfer, *out, names=[text])
+        self.write_transfer(UseLogScale=1)
+        self.fails(1, "render", path, "--volume", "u", "--transfer", self.transfer, *out, names=["UseLogScale"])
+        self.write_transfer()
+        self.fails(2, "render", path, "--volume", "u", "--transfer", self.transfer, "--range", "0,2", *out,
+                   names=["--range", "--transfer"])
+        self.fails(2, "render", path, "--volume", "u", "--range", "10%,20%", *out, names=["--range"])
+        self.fails(1, "render", path, "--volume", "u", "--transfer", "nosuch.json", *out,
+                   names=["--transfer: 'nosuch.json'"])
+        self.write_transfer(ColorSpace="HSV")
+        self.succeeds("render", path, "--volume", "u", "--transfer", self.transfer, *out)
         self.transfer.write_text("{ not json", encoding="utf-8")
         self.fails(1, "render", path, "--volume", "u", "--transfer", self.transfer, *out, names=["JSON"])
 

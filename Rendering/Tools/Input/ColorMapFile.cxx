@@ -27,6 +27,7 @@ struct FileMap
   std::string name;
   std::string space;
   bool ofCategories = false;
+  bool isLogarithmic = false;
   std::vector<std::array<double, 4>> points; ///< x, red, green, blue
   /// x, opacity, and the midpoint and sharpness of the part behind it, as VTK has them.
   std::vector<std::array<double, 4>> opacities;
@@ -95,6 +96,9 @@ std::vector<FileMap> ReadJson(const std::string& source, std::istream& stream)
       map.name = one.value("Name", std::string());
       map.space = one.value("ColorSpace", std::string("RGB"));
       map.ofCategories = one.contains("IndexedColors") && !one.contains("RGBPoints");
+      const auto logarithm = one.find("UseLogScale");
+      map.isLogarithmic =
+        logarithm != one.end() && *logarithm != 0 && *logarithm != false && !logarithm->is_null();
       map.points = ReadPoints(one, "RGBPoints", source);
       map.opacities = ReadPoints(one, "Points", source);
       const auto nan = one.value("NanColor", std::vector<double>());
@@ -295,6 +299,10 @@ std::vector<TransferFunction::ColorPoint> ColorPointsOf(
     const double share = static_cast<double>(i) / kParts;
     TransferFunction::ColorPoint point{ first + share * length, {} };
     colors->GetColor(share, point.rgb.data());
+    for (double& channel : point.rgb)
+    {
+      channel = std::clamp(channel, 0.0, 1.0); // conversions of colour spaces round
+    }
     points.push_back(point);
   }
   return points;
@@ -356,6 +364,11 @@ TransferFunction ReadTransferFile(const std::string& text, double unit)
 {
   const FileAndName wanted = Split(text, "--transfer");
   const FileMap map = Read(wanted);
+  if (map.isLogarithmic)
+  {
+    throw Unsupported(wanted.source + ": '" + map.name +
+      "' has a logarithmic scale (UseLogScale), which volumes have not; save it without");
+  }
   return { ColorPointsOf(wanted.source, map), OpacityPointsOf(wanted.source, map), unit,
     wanted.source.c_str() };
 }

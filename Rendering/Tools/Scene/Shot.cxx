@@ -308,7 +308,7 @@ Shot MakeShot(
   AddLayers(options, surfaces, shot);
   if (options.volume.IsAsked())
   {
-    shot.volume = options.volume.Make(model, options.colors);
+    shot.volume = options.volume.Make(model, options.colors, options.HasVolumeAlone());
   }
   shot.truncated = TruncatedFields(shot);
   if (before == nullptr)

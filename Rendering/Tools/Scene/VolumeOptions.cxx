@@ -89,11 +89,30 @@ void VolumeOptions::Check(bool alone) const
   {
     throw UsageError("--volume: is not shared by several processes; start one, without mpirun");
   }
-  CheckMap("--transfer", transfer_);
+  if (!NamesColorMapFile(transfer_))
+  {
+    CheckMap("--transfer", transfer_);
+    return;
+  }
+  (void)ReadTransferFile(transfer_, 1.0);
+  if (alone && IsGiven(*Command, "--range"))
+  {
+    throw UsageError(
+      "--range has no effect: the file of --transfer gives the values; leave out one "
+      "of both");
+  }
 }
 
-Volume VolumeOptions::Make(const HighOrderModel& model, const ColorOptions& colors) const
+Volume VolumeOptions::Make(
+  const HighOrderModel& model, const ColorOptions& colors, bool alone) const
 {
+  const RangeRule& rule = colors.Range();
+  if (alone && IsGiven(*Command, "--range") &&
+    (rule.symmetric || (rule.of != RangeRule::Of::Ends && rule.of != RangeRule::Of::Field)))
+  {
+    throw UsageError("--range: the colours of a volume span a,b or the range of the field (field); "
+                     "choose one of them");
+  }
   const IsoChoice choice = Resolve(IsoText{ name_, 0.0 }, model);
   Volume volume;
   volume.field = &model.GetField(choice.field);
@@ -107,7 +126,6 @@ Volume VolumeOptions::Make(const HighOrderModel& model, const ColorOptions& colo
   }
   else
   {
-    const RangeRule& rule = colors.Range();
     std::array<double, 2> range{ 0.0, 1.0 };
     if (rule.of == RangeRule::Of::Ends)
     {

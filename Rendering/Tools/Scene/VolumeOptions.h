@@ -30,7 +30,8 @@ public:
   /// The volume of a model. A map by name is spread over the range of `colors` where that has
   /// ends, else over the proven range of the field. Throws Error where the field or the file cannot
   /// be used.
-  [[nodiscard]] Volume Make(const HighOrderModel& model, const ColorOptions& colors) const;
+  [[nodiscard]] Volume Make(
+    const HighOrderModel& model, const ColorOptions& colors, bool alone) const;
 
 private:
   const CLI::App* Command = nullptr;

@@ -81,11 +81,12 @@ RayIntegral::Step RayIntegral::StepTo(
   for (std::size_t c = 0; c < components_; ++c)
   {
     const double one = std::fabs(b.v[c] - a.v[c]) / width + 0.5 * bends_[c] * width;
-    slope += one * one;
-    bend += bends_[c] * bends_[c];
+    // Squares of lengths beyond 1e-100 and 1e100 would not be representable.
+    slope = std::hypot(slope, one);
+    bend = std::hypot(bend, bends_[c]);
   }
-  slope = std::sqrt(slope) * kStepUp;
-  bend = std::sqrt(bend) * kStepUp;
+  slope *= kStepUp;
+  bend *= kStepUp;
   if (magnitude_)
   {
     error *= std::sqrt(static_cast<double>(components_));
@@ -103,7 +104,7 @@ RayIntegral::Step RayIntegral::StepTo(
     upper = m.u + bySlope;
   }
   const double off = std::isfinite(error) ? error : 0.0;
-  const auto bounds = transfer_.BoundsOver(lower - off, upper + off);
+  const auto bounds = transfer_.BoundsOver(lower - off, upper + off, !std::isfinite(bend));
 
   Step step;
   step.isShort = off >= upper - lower;
@@ -244,10 +245,10 @@ void RayIntegral::AddUncertainEnd(
   for (std::size_t c = 0; c < components_; ++c)
   {
     const double one = slopes_[c] * length + (std::isfinite(span.error) ? span.error : 0.0);
-    off += one * one;
+    off = std::hypot(off, one);
   }
-  off = std::sqrt(off) * kStepUp;
-  const double tau = transfer_.BoundsOver(at.u - off, at.u + off).tau;
+  off *= kStepUp;
+  const double tau = transfer_.BoundsOver(at.u - off, at.u + off, false).tau;
   error_ += std::min(1.0, through_ + error_) * std::min(1.0, 2.0 * length * tau) * kStepUp;
 }
 
@@ -257,7 +258,9 @@ void RayIntegral::AddLayer(const std::array<double, 3>& rgb, double alpha)
   {
     color_[c] += through_ * alpha * rgb[c];
   }
+  const bool wasDark = IsDark();
   through_ *= 1.0 - alpha;
-  error_ += kStepRounding;
+  // Matter behind it is not integrated.
+  error_ += kStepRounding + (!wasDark && IsDark() ? through_ : 0.0);
 }
 } // namespace pixelexact

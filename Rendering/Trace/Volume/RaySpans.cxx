@@ -333,7 +333,8 @@ void RaySpans::Interpolate(
   const bool isKnown = slope.disc >= 0;
   const auto disc = static_cast<std::size_t>(isKnown ? slope.disc : 0);
   // The points must be the roots that the proof is about.
-  const bool isSame = isKnown && std::max({ reach.x, reach.y, reach.z }) <= kDiscRadii[disc];
+  const double farthest = std::max({ reach.x, reach.y, reach.z });
+  const bool isSame = isKnown && farthest <= kDiscRadii[disc];
   const double placeOff = slope.factor * off;
   const double lebesgue = ChebyshevLebesgue(passage.points);
   const double placeError = isSame
@@ -349,8 +350,15 @@ void RaySpans::Interpolate(
   for (std::size_t c = 0; c < components; ++c)
   {
     ToCoefficients(row(15 + c), passage.points, &series_[whole.series + c * n]);
-    const double bySlope =
-      isSame ? leaf.fieldBounds[c][disc] / kDiscRadii[disc] * placeOff : kInfinity;
+    // Cauchy's estimate from the points to the polydiscs around them.
+    double slopeOfField = kInfinity;
+    for (std::size_t k = 0; k < kDiscRadii.size(); ++k)
+    {
+      const double room = kDiscRadii[k] - farthest;
+      slopeOfField =
+        room > 0.0 ? std::min(slopeOfField, leaf.fieldBounds[c][k] / room) : slopeOfField;
+    }
+    const double bySlope = isSame ? slopeOfField * placeOff : kInfinity;
     valueOff = std::max(valueOff, bySlope + leaf.fieldNoise[c] * fieldGrowth);
   }
   whole.error =
@@ -391,6 +399,11 @@ void RaySpans::AddSpans(const VolumeLeaf& leaf, const RaySpan& whole, int ray,
   }
   std::vector<Inside> parts;
   FindInside(sides, parts);
+  if (parts.empty() && !whole.isProven)
+  {
+    // That the ray misses the leaf is not proven.
+    lost_[static_cast<std::size_t>(ray)] = 1;
+  }
   for (const Inside& part : parts)
   {
     RaySpan span = whole;

@@ -186,7 +186,7 @@ double TransferFunction::ChangeOf(const std::array<double, 3>& a, const std::arr
   return std::max({ std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2]) });
 }
 
-TransferFunction::Bounds TransferFunction::BoundsOver(double lower, double upper) const
+TransferFunction::Bounds TransferFunction::BoundsOver(double lower, double upper, bool chords) const
 {
   Bounds bounds;
   bounds.part = PartOf(lower);
@@ -212,7 +212,7 @@ TransferFunction::Bounds TransferFunction::BoundsOver(double lower, double upper
       curved = std::max(curved, 0.125 * slope * slope / unit_ * (to - from) * (to - from));
     }
   }
-  if (!bounds.isSmooth)
+  if (!bounds.isSmooth || chords)
   {
     SetChords(lower, upper, last, bounds);
     bounds.tauOff += curved;
@@ -227,10 +227,13 @@ void TransferFunction::SetChords(double lower, double upper, std::size_t last, B
   bounds.colorAt = ColorOf(bounds.part, lower);
   const double length = upper - lower;
   const std::array<double, 3> end = ColorOf(last, upper);
-  bounds.tauChord = (TauOf(last, upper) - bounds.tauAt) / length;
-  for (std::size_t c = 0; c < 3; ++c)
+  if (length > 0.0)
   {
-    bounds.colorChord[c] = (end[c] - bounds.colorAt[c]) / length;
+    bounds.tauChord = (TauOf(last, upper) - bounds.tauAt) / length;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      bounds.colorChord[c] = (end[c] - bounds.colorAt[c]) / length;
+    }
   }
   for (std::size_t k = bounds.part + 1; k <= last; ++k)
   {

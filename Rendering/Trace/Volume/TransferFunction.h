@@ -80,7 +80,8 @@ public:
   /// Values in the part, and limits at its ends.
   [[nodiscard]] double TauOf(std::size_t part, double u) const;
   [[nodiscard]] std::array<double, 3> ColorOf(std::size_t part, double u) const;
-  [[nodiscard]] Bounds BoundsOver(double lower, double upper) const;
+  /// `chords`: also of a smooth range.
+  [[nodiscard]] Bounds BoundsOver(double lower, double upper, bool chords) const;
 
   [[nodiscard]] const std::vector<Part>& Parts() const { return parts_; }
 

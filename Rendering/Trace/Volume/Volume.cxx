@@ -120,16 +120,16 @@ public:
     bool isProven = true;
     for (const RaySpan& span : all)
     {
+      // Neighbours share a face; where they overlap by more than its uncertainty the mesh folds.
+      const double slack = (lastError + span.fromError) * (1.0 + 1e-9) +
+        16.0 * kUnitRoundoff * (std::fabs(last) + std::fabs(span.middle));
+      isProven = isProven && !(last > span.from + slack);
       AddSamplesTo(span.from);
       if (Integral.IsDark())
       {
         return isProven;
       }
       isProven = isProven && span.isProven;
-      // Neighbours share a face; where they overlap by more than its uncertainty the mesh folds.
-      const double slack = (lastError + span.fromError) * (1.0 + 1e-9) +
-        16.0 * kUnitRoundoff * (std::fabs(last) + std::fabs(span.middle));
-      isProven = isProven && !(last > span.from + slack);
       const double* series = spans.Series(span);
       // Where neighbours meet, either of them may have the matter.
       const bool meets = last + lastError >= span.from - span.fromError;
