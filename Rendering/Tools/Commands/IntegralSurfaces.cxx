@@ -4,7 +4,9 @@
 #include "Base/Command.h"
 #include "Base/Options.h"
 #include "Core/Contour/SurfaceAbilities.h"
+#include "HighOrderModel.h"
 #include "Input/TriangleFile.h"
+#include "Scene/Model.h"
 #include "Surfaces/FunctionOfSurface.h"
 
 #include <fmt/format.h>

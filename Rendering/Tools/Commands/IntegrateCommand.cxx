@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Command.h"
 #include "Base/Options.h"
+#include "Base/Output.h"
 #include "Base/Report.h"
 #include "Commands/IntegralSurfaces.h"
 #include "Commands/ValuePlots.h"
