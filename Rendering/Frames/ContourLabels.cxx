@@ -134,7 +134,8 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
   for (const ContourLabel& label : labels)
   {
     OpenGap(frame, label, lines.Beneath());
-    writer.Put(label.text, label.x, label.y, TextAnchor::Centre, label.color, label.angle, image);
+    writer.Put(label.text, label.x, label.y, TextAnchor::Centre, label.color, label.angle, image,
+      InkOn(label.color));
   }
   return static_cast<int>(labels.size());
 }

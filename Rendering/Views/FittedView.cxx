@@ -25,7 +25,7 @@ Camera CameraOfFilter(
     return SetupOf(camera, width, height).Make();
   }
   const Vec3 towards =
-    surface.IsFlat() ? surface.Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
+    surface.IsFlat() ? SideOfPlane(surface.Normal({ 0.5 * (box.lower + box.upper) })) : Vec3(1.0);
   return { ViewOfBox(box, towards, width, height, Vec3(0.0, 1.0, 0.0), true), width, height };
 }
 
@@ -98,6 +98,11 @@ CameraView FitToPoints(
   return view;
 }
 } // namespace
+
+Vec3 SideOfPlane(const Vec3& normal)
+{
+  return normal.x == 0.0 && normal.y > 0.0 && normal.z == 0.0 ? -normal : normal;
+}
 
 Vec3 UsualUp(const Vec3& towardsViewer)
 {

@@ -21,6 +21,10 @@ class Surface;
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT Camera CameraOfFilter(
   vtkCamera* camera, const Surface& surface, const Box3& box, int width, int height);
 
+/// The direction from a plane to the viewer that is the default: the normal. A plane across y is
+/// seen from below y, so that x points to the right.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT Vec3 SideOfPlane(const Vec3& normal);
+
 /// The default view-up: z, unless the camera looks along z.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT Vec3 UsualUp(const Vec3& towardsViewer);
 

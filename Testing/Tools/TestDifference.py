@@ -108,8 +108,9 @@ class Difference(ToolTest):
         # As far to both sides of 0.
         self.assertEqual(summary["range"][0], -summary["range"][1])
         self.assertEqual(summary["range"][1], pixels["largest"])
-        # The picture is left of the bar; each side has a colour of its own.
-        shown = picture[:, : side.shape[1]]
+        # Each side has a colour of its own.
+        left, bottom = summary["figure"]["picture"]
+        shown = picture[bottom : bottom + side.shape[0], left : left + side.shape[1]]
         colors = {kind: np.unique(shown[side == kind], axis=0) for kind in (FIRST, SECOND)}
         self.assertEqual([len(color) for color in colors.values()], [1, 1])
         self.assertFalse((colors[FIRST] == colors[SECOND]).all())

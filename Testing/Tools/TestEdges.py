@@ -32,7 +32,7 @@ class Edges(ToolTest):
 
     def test_lines_are_between_the_elements_of_a_finer_picture(self):
         size, finer, width = 200, 8, 2.0
-        buffers, image = self.picture(size, "--edges", str(width), look=PLANE)
+        buffers, image = self.picture(size, "--edges", str(width), "--edge-color", "0,0,0", look=PLANE)
         fine, _ = self.picture(size * finer, look=PLANE)
         element = np.where(fine["Verdict"] == 1, fine["Element"], -1)
         # Where two elements meet in the finer picture, and where the mesh ends.

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """render --figure, read back from the picture."""
 
+import shutil
 import struct
+import subprocess
 import unittest
 
 import numpy as np
 
-from tool import CUBE, ToolTest, plain_grid, read_buffers, read_image, unit_cube_grid
+from tool import CUBE, ToolTest, case, plain_grid, read_buffers, read_image, unit_cube_grid
 
 # A figure of 600 x 400 pixels has letters of 10; its layout in these.
 SIZE, FONT = "600x400", 10
-LEFT = 600 - 11 * FONT + FONT  # of the column beside the picture
+LEFT = 600 - 10 * FONT + FONT  # of the column beside the picture
 BAR = 12  # pixels wide
 
 
@@ -48,10 +50,15 @@ class Figure(ToolTest):
     def bar(self):
         """Rows of the topmost bar, and its colours from below."""
         pixels = read_image(self.image)
-        # Its frame's left side is the longest black line there, the highest of them.
+        # The left side of its frame is the highest long black line there.
         frame = (pixels[:, LEFT - 1] == 0).all(axis=1)
         first, last = max((r for r in runs(frame) if r[1] - r[0] > 3 * FONT), key=lambda r: r[1])
         return first + 1, last - 1, pixels[first + 1 : last, LEFT + BAR // 2]
+
+    def picture(self, found):
+        """The pixels of the picture inside the figure."""
+        x, y = found["figure"]["picture"]
+        return read_image(self.image)[y : y + found["height"], x : x + found["width"]]
 
     def ticks(self):
         pixels = read_image(self.image)
@@ -62,12 +69,90 @@ class Figure(ToolTest):
     def test_size_and_picture(self):
         found = self.figure("--buffers", self.folder / "cut.vti")
         self.assertEqual(read_image(self.image).shape, (400, 600, 3))
-        self.assertEqual((found["width"], found["height"]), (600 - 11 * FONT, 400))
-        pixels = read_image(self.image)[:, : found["width"]]
+        layout = found["figure"]
+        self.assertEqual((layout["width"], layout["height"], layout["font"]), (600, 400, FONT))
+        self.assertEqual((layout["legend"], layout["coordinates"]), ("right", True))
         self.succeeds("render", self.cube, "--field", "w", "--plane", "z", "--size",
-            f"{found['width']}x400", "--samples", 4, "-o", self.folder / "bare.png")
-        np.testing.assert_array_equal(pixels, read_image(self.folder / "bare.png"))
-        self.assertEqual(read_buffers(self.folder / "cut.vti")["Value"].shape, (400, 490))
+            f"{found['width']}x{found['height']}", "--samples", 4, "-o", self.folder / "bare.png")
+        np.testing.assert_array_equal(self.picture(found), read_image(self.folder / "bare.png"))
+        self.assertEqual(read_buffers(self.folder / "cut.vti")["Value"].shape,
+            (found["height"], found["width"]))
+
+    def test_the_mesh_determines_height_and_legend(self):
+        """A box of sides 1, 3 and 12 has cuts that are wide, tall and nearly square."""
+        box = self.folder / "box.vtu"
+        points = [[p[0], 3.0 * p[1], 12.0 * p[2]] for p in CUBE]
+        box.write_text(plain_grid(points, [(12, list(range(8)))], [("u", [p[0] for p in CUBE])]), encoding="utf-8")
+        for plane, up, legend, aspect in [
+            ("z", "0,1,0", "right", 1 / 3), ("x", "0,0,1", "right", 1 / 4), ("x", "0,1,0", "below", 4.0),
+        ]:
+            found = self.summary("render", box, "--plane", plane, "--view-up", up, "--figure", "-o", self.image)
+            layout = found["figure"]
+            self.assertEqual(read_image(self.image).shape[:2], (layout["height"], layout["width"]))
+            self.assertEqual((layout["width"], layout["legend"]), (1000, legend))
+            # Long pictures are limited.
+            self.assertAlmostEqual(found["width"] / found["height"], max(aspect, 1 / 1.6), delta=0.02)
+            pixels = self.picture(found)
+            rows, columns = np.nonzero((pixels != 255).any(axis=2))
+            # The mesh fills its picture.
+            filled = max(np.ptp(columns) / found["width"], np.ptp(rows) / found["height"])
+            self.assertGreater(filled, 0.88)
+        found = self.summary("render", box, "--plane", "x", "--view-up", "0,1,0", "--figure", "--size", "900x400",
+            "-o", self.image)
+        self.assertEqual(found["figure"]["legend"], "below")
+        self.fails(2, "render", box, "--size", "900", "-o", self.image, names=["--size", "--figure", "WIDTHxHEIGHT"])
+
+    def test_coordinates_are_where_their_values_are(self):
+        """The mesh ends at 0 and at 1, where there are ticks."""
+        for plane, words in [("z", []), ("y", []), ("x", ["--view", "-x"])]:
+            found = self.summary("render", self.cube, "--field", "w", "--plane", plane, "--figure", "--size",
+                "800x800", "--color", "1,0,0", "-o", self.image, *words)
+            self.assertTrue(found["figure"]["coordinates"])
+            (x, y), font = found["figure"]["picture"], found["figure"]["font"]
+            pixels = read_image(self.image)
+            inside = self.picture(found)
+            rows, columns = np.nonzero((inside == [255, 0, 0]).all(axis=2))
+            tick = font // 4
+            below = [0.5 * (a + b) - x for a, b in runs((pixels[y - 1 - tick] < 128).all(axis=1))]
+            beside = [0.5 * (a + b) - y for a, b in runs((pixels[:, x - 1 - tick] < 128).all(axis=1))]
+            for ends, marks in [(columns, below), (rows, beside)]:
+                for end in (ends.min() - 0.5, ends.max() + 0.5):
+                    self.assertLess(np.abs(np.array(marks) - end).min(), 1.1, (plane, end, marks))
+                # Ticks at round values are evenly spaced.
+                self.assertLess(np.ptp(np.diff(marks)), 1.1)
+        for words in [["--view", "iso"], ["--axes", "directions"], ["--axes", "none"]]:
+            self.assertFalse(self.figure(*words)["figure"]["coordinates"])
+
+    def test_a_cut_across_y_is_not_mirrored(self):
+        camera = self.summary("render", self.cube, "--plane", "y", "-o", self.image, "--size", "60x60")["camera"]
+        self.assertLess(camera["position"][1], -0.5)
+        camera = self.summary("render", self.cube, "--plane", "y", "--view", "+y", "-o", self.image, "--size", "60x60")["camera"]
+        self.assertGreater(camera["position"][1], 0.5)
+
+    def test_arrows_where_values_lie_beyond(self):
+        for span, low, high in [("0,1", False, False), ("0.2,1", True, False), ("0.2,0.7", True, True)]:
+            self.figure("--colormap", "grayscale", "--range", span)
+            pixels = read_image(self.image)
+            first, last, _ = self.bar()
+            middle = pixels[:, LEFT + BAR // 2 - 1 : LEFT + BAR // 2 + 1].min(axis=(1, 2))
+            # The colours of the ends, black and white, beyond the bar, and their outlines.
+            self.assertEqual((middle[first - 9 : first - 3] < 20).all(), low)
+            self.assertEqual((pixels[last + 3 : last + 6, LEFT : LEFT + BAR] < 100).any(), high)
+
+    def test_names_and_units(self):
+        pdf = self.folder / "a.pdf"
+        words = ["--bar-title", "load", "--unit", "MPa", "--length-unit", "mm", "--bar-ticks", "0.25,0.5"]
+        self.succeeds("render", self.cube, "--field", "w", "--plane", "z", "--figure", "--range", "-1,1", *words, "-o", pdf)
+        if shutil.which("pdftotext") is None:
+            self.skipTest("pdftotext is not installed")
+        text = subprocess.run(["pdftotext", "-layout", pdf, "-"], stdout=subprocess.PIPE, check=True, text=True).stdout
+        for word in ["load [MPa]", "x [mm]", "0.25", "0.5"]:
+            self.assertIn(word, text)
+        self.succeeds("render", self.cube, "--field", "w", "--plane", "z", "--figure", "--range=-1.5,1", "-o", pdf)
+        text = subprocess.run(["pdftotext", pdf, "-"], stdout=subprocess.PIPE, check=True, text=True).stdout
+        # Minus signs are those of print.
+        self.assertIn("\N{MINUS SIGN}1.5", text)
+        self.assertNotIn("-1", text)
 
     def test_smooth_edges_unless_colours_are_a_legends(self):
         self.assertIn("refined_pixels", self.figure())
@@ -82,7 +167,8 @@ class Figure(ToolTest):
 
     def test_ticks_are_where_their_values_are(self):
         for span, values in {"0,1": np.arange(0.0, 1.01, 0.1), "-3,7": np.arange(-3.0, 7.01),
-                             "0.13,0.87": np.arange(0.2, 0.81, 0.1),
+                             "0.13,0.87": np.array([0.13, *np.arange(0.2, 0.81, 0.1), 0.87]),
+                             "-3.02,7.4": np.array([-3.02, *np.arange(-2.0, 6.01), 7.4]),
                              "1e-7,5e-7": np.arange(1e-7, 5.01e-7, 0.5e-7)}.items():
             self.figure("--colormap", "grayscale", "--range", span)
             lower, upper = map(float, span.split(","))
@@ -98,7 +184,7 @@ class Figure(ToolTest):
 
     def test_scale(self):
         for arguments in [["--parallel-scale", 0.7], []]:
-            found = self.figure(*arguments)
+            found = self.figure("--axes", "directions", *arguments)
             pixels = read_image(self.image)
             # The longest dark line of the column, some pixels high, below the bar.
             first, _, _ = self.bar()
@@ -112,15 +198,18 @@ class Figure(ToolTest):
                 unit = 2 * distance * np.tan(np.radians(camera["view_angle"]) / 2) / 400
             steps = np.array([1, 2, 5]) * 10.0 ** np.arange(-3, 2)[:, None]
             self.assertLess(np.abs(length * unit - steps).min(), 3 * unit)
-        # A view across has no lengths of its own.
+        # An oblique view has no lengths of its own.
         self.figure("--view", "iso")
 
     def test_title_and_texts(self):
-        self.figure()
-        self.assertTrue((read_image(self.image)[390:, :300] == 255).all())
+        plain = self.figure()
+        self.assertTrue((read_image(self.image)[392:, :300] == 255).all())
         found = self.figure("--title", "A title (x > 0)")
-        self.assertEqual(found["height"], 370)
-        self.assertFalse((read_image(self.image)[375:, 200:400] == 255).all())
+        self.assertEqual(plain["height"] - found["height"], 2 * FONT)
+        rows, columns = np.nonzero((read_image(self.image)[372:, :] < 100).all(axis=2))
+        # It stands over the middle of the picture.
+        middle = found["figure"]["picture"][0] + 0.5 * found["width"]
+        self.assertAlmostEqual(0.5 * (columns.min() + columns.max()), middle, delta=2)
         texts = texts_of(self.image)
         self.assertIn("PixelExact", texts["Software"])
         self.assertIn("--title 'A title (x > 0)'", texts["Command"])
@@ -153,13 +242,33 @@ class Figure(ToolTest):
         column = read_image(self.image)[200:, LEFT:]
         self.assertTrue((column == 255).all())
 
+    def test_legends_of_other_colours(self):
+        """Each colour of a picture that is no field's has its swatch."""
+        for words, colors in [(["--owners"], [(168, 212, 240)]), (["--show", "validity"], [(168, 212, 240)])]:
+            self.figure(*words)
+            column = read_image(self.image)[:, LEFT:]
+            for color in colors:
+                self.assertEqual((column == color).all(axis=2).sum(), FONT * FONT, words)
+        found = self.summary("render", case("periodic_hex_dg_g3_p4"), "--plane", "z", "--show", "jumps", "--figure",
+            "--size", SIZE, "-o", self.image)
+        _, _, colors = self.bar()
+        self.assertGreater(found["jumps"]["jumping"], 100)
+        # From yellow to dark purple.
+        np.testing.assert_allclose(colors[0], (240, 228, 66), atol=6)
+        np.testing.assert_allclose(colors[-1], (75, 0, 80), atol=6)
+
     def test_refused(self):
         base = ["render", self.cube, "--field", "w", "-o", self.image]
-        for size in ["140x400", "400x150", "20x20"]:
+        for size in ["30x400", "400x60", "20x20"]:
             self.fails(2, *base, "--figure", "--size", size, names=["--figure", "--size"])
         self.fails(2, *base, "--title", "t", names=["--figure"])
         self.fails(2, *base, "--figure", "--font-size", "3", names=["--font-size"])
-        self.fails(2, *base, "--figure", "--show", "validity", names=["--figure"])
+        self.fails(2, *base, "--unit", "m", names=["--figure"])
+        self.fails(2, *base, "--figure", "--axes", "both", names=["--axes", "coordinates"])
+        self.fails(2, *base, "--figure", "--bar-ticks", "x", names=["--bar-ticks"])
+        self.fails(2, *base, "--figure", "--size", "40000x100", names=["--figure", "32767"])
+        self.fails(2, *base, "--edges", "0.5pt", names=["--edges", "points", "--size"])
+        self.fails(2, *base, "--edges", "40pt", "--size", "85x70mm", names=["--edges", "167 pixels", "32"])
 
 
 if __name__ == "__main__":

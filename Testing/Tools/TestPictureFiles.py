@@ -206,7 +206,7 @@ class Backgrounds(FileTest):
 
 class Letters(FileTest):
     def test_fonts_differ(self):
-        shot = ["--size", "600x400", "--figure", "--title", "Wagner 0123"]
+        shot = ["--size", "600x400", "--figure", "--axes", "none", "--title", "Wagner 0123"]
         sans, serif = [read_image(self.render("a.png", *shot, "--font", font)) for font in ("sans", "serif")]
         np.testing.assert_array_equal(sans, read_image(self.render("b.png", *shot)))
         # The title's letters, not the picture.
@@ -222,7 +222,7 @@ class Letters(FileTest):
         fonts = sorted(glob.glob("/usr/share/fonts/**/*.ttf", recursive=True))
         if not fonts:
             self.skipTest("there is no font file on this machine")
-        shot = ["--size", "600x400", "--figure", "--title", "Wagner 0123"]
+        shot = ["--size", "600x400", "--figure", "--axes", "none", "--title", "Wagner 0123"]
         sans = read_image(self.render("a.png", *shot))
         mine = read_image(self.render("b.png", *shot, "--font", fonts[-1]))
         self.assertTrue((sans[370:] != mine[370:]).any())

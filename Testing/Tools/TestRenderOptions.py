@@ -47,7 +47,7 @@ class RenderOptions(ToolTest):
         cells = [(12, [0, 1, 4, 3, 6, 7, 10, 9]), (12, [1, 2, 5, 4, 7, 8, 11, 10])]
         two = self.folder / "two.vtu"
         two.write_text(plain_grid(points, cells, [("u", [p[0] for p in points])]), encoding="utf-8")
-        plain, _ = self.draw("--edges", "2", source=two)
+        plain, _ = self.draw("--edges", "2", "--edge-color", "0,0,0", source=two)
         kinds, _ = self.draw("--edges", "2", "--edges-by-kind", source=two)
         self.assertTrue(near(kinds[20:100, 68:72], 0).any(axis=1).all())
         np.testing.assert_array_equal(kinds[20:100, 60:80], plain[20:100, 60:80])

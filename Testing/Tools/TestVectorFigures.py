@@ -213,7 +213,7 @@ class Edges(VectorTest):
 
     def test_that_stay_in_the_pixels(self):
         for more in [["--edges-by-kind"], ["--sphere", "0.5,0.5,0.5,0.2"]]:
-            path = self.draw("a.svg", "--edges", *more)
+            path = self.draw("a.svg", "--edges", "--edge-color", "0,0,0", *more)
             self.assertIn("element edges: in the picture's pixels", self.done.stderr)
             self.assertTrue((self.image(path)[..., :3].max(axis=2) < 40).any())
 

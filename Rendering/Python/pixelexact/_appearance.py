@@ -109,6 +109,9 @@ def set_undecided(
 def set_lights(mapper: Any, actor: Any, lights: str) -> None:
     """On which surfaces a light shines."""
     actor.GetProperty().SetLighting(lights != "off")
+    # Parts that face the viewer have exactly the colours of the map, as in the program.
+    actor.GetProperty().SetAmbient(0.4)
+    actor.GetProperty().SetDiffuse(0.6)
     mapper.SetLightFlat(lights == "on")
 
 

@@ -260,7 +260,10 @@ def _place(picture: Any, of: Cut, view: Union[str, Vector, None]) -> None:
     if view is None and not isinstance(of.surface, vtkPlane):
         view = "iso"
     if view is None:
-        picture.ViewAlong(of.surface.GetNormal())
+        normal = of.surface.GetNormal()
+        # A plane across y is seen from below y, so that x points to the right.
+        is_along_y = normal[0] == 0.0 and normal[1] > 0.0 and normal[2] == 0.0
+        picture.ViewAlong([-part for part in normal] if is_along_y else normal)
     elif isinstance(view, str) and view == "iso":
         picture.ViewAlong((1.0, 1.0, 1.0))
     else:

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -57,6 +58,14 @@ std::string UsualValue(const CLI::Option& option)
 {
   const std::string form = option.get_type_name();
   return form.starts_with("[=") ? form.substr(2, form.find_first_of("|]") - 2) : std::string();
+}
+
+/// Whether a word is a number, or a number of points ("0.5pt").
+bool IsLength(std::string_view word)
+{
+  double number = 0.0;
+  word.remove_suffix(word.ends_with("pt") ? 2 : 0);
+  return ParseNumber(word, number);
 }
 
 /// Reads the command line's words in order.
@@ -151,9 +160,8 @@ private:
       Prepared.push_back(LongName(*option) + "=" + usual);
       return 0;
     }
-    double number = 0.0;
     if (!joined && option->get_expected_min() == 0 &&
-      (at + 1 == Words.size() || !ParseNumber(Words[at + 1], number)))
+      (at + 1 == Words.size() || !IsLength(Words[at + 1])))
     {
       Prepared.push_back(LongName(*option) + "=" + option->get_default_str());
       return 0;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -66,6 +67,21 @@ double ReadNumber(const Setting& row, const std::string& text)
     Refuse(std::string(row.LongName()), text, std::string(row.expected));
   }
   return number;
+}
+
+PixelLength ReadLength(const Setting& row, const std::string& text)
+{
+  PixelLength length{ 0.0, text.ends_with("pt"), std::string(row.LongName()),
+    { row.lowest, row.highest } };
+  // The limits are those of pixels.
+  if (length.inPoints &&
+    (!ParseNumber(std::string_view(text).substr(0, text.size() - 2), length.value) ||
+      !std::isfinite(length.value)))
+  {
+    Refuse(length.option, text, std::string(row.expected) + ", or points, 0.5pt");
+  }
+  length.value = length.inPoints ? length.value : ReadNumber(row, text);
+  return length;
 }
 
 std::vector<double> ReadNumbersOf(const Setting& row, const std::string& text)
@@ -228,6 +244,19 @@ void Bind(CLI::App& command, const char* name, std::optional<double>& number)
 {
   const Setting& row = RowOf(command, name, { SettingType::Number, SettingType::NumberIfAny });
   AddReader(command, row, [&](const std::string& text) { number = ReadNumber(row, text); });
+}
+
+void Bind(CLI::App& command, const char* name, PixelLength& length)
+{
+  const Setting& row = RowOf(command, name, { SettingType::Number });
+  length.value = std::isnan(row.initial) ? length.value : row.initial;
+  AddReader(command, row, [&](const std::string& text) { length = ReadLength(row, text); });
+}
+
+void Bind(CLI::App& command, const char* name, std::optional<PixelLength>& length)
+{
+  const Setting& row = RowOf(command, name, { SettingType::Number, SettingType::NumberIfAny });
+  AddReader(command, row, [&](const std::string& text) { length = ReadLength(row, text); });
 }
 
 void Bind(CLI::App& command, const char* name, std::vector<double>& numbers)

@@ -38,6 +38,9 @@ void Bind(CLI::App& command, const char* name, std::vector<int>& numbers);
 void Bind(CLI::App& command, const char* name, std::optional<std::vector<int>>& numbers);
 void Bind(CLI::App& command, const char* name, double& number);
 void Bind(CLI::App& command, const char* name, std::optional<double>& number);
+/// A number of pixels, or of points where "pt" follows it.
+void Bind(CLI::App& command, const char* name, PixelLength& length);
+void Bind(CLI::App& command, const char* name, std::optional<PixelLength>& length);
 /// The row has the type Numbers or Color.
 void Bind(CLI::App& command, const char* name, std::vector<double>& numbers);
 void Bind(CLI::App& command, const char* name, std::vector<std::vector<double>>& values);

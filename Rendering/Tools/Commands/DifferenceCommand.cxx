@@ -32,7 +32,8 @@ constexpr int kPlotHeight = 720;
 ShotOptions OfPicture(const ShotOptions& shot, const DifferenceOptions& difference)
 {
   ShotOptions asked = shot;
-  asked.size = difference.Figure().PictureSize(shot.size);
+  asked.layout = [&difference, size = shot.size](const Shot& of)
+  { return difference.Figure().LayOut(size, of, false); };
   return asked;
 }
 
@@ -90,8 +91,7 @@ void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
   const DifferencePicture drawn(asked, prepared, other.field->name, found);
   facts.range = drawn.Range();
   WriteBytes(picture,
-    drawn.Encode(
-      difference, shot.size, TextsOf(prepared, shot.input, request, numbers, command), picture));
+    drawn.Encode(difference, TextsOf(prepared, shot.input, request, numbers, command), picture));
   if (!difference.BufferFile().empty())
   {
     WriteDifference(difference.BufferFile(), found, prepared.input.model->SourceCells(),
@@ -110,7 +110,8 @@ void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
     return;
   }
   nlohmann::ordered_json summary{ { "output", picture }, { "solution", other.name },
-    { "pixels", ToJson(numbers) }, { "range", facts.range } };
+    { "pixels", ToJson(numbers) }, { "range", facts.range },
+    { "figure", ToJson(*prepared.layout) } };
   QualityFacts{ 1, prepared.truncated }.AddTo(summary);
   summary["command"] = command.Words();
   summary["seconds"] = ToJson(stopwatch);
@@ -139,8 +140,7 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
     const std::string picture =
       (folder / fmt::format("difference-{}.png", rows.size() + 1)).string();
     WriteBytes(picture,
-      drawn.Encode(
-        difference, shot.size, TextsOf(prepared, shot.input, request, numbers, command), picture));
+      drawn.Encode(difference, TextsOf(prepared, shot.input, request, numbers, command), picture));
     rows.push_back({ other.name, SizeOf(other.input, *other.field), numbers });
     stopwatch.Stage("compare");
   }

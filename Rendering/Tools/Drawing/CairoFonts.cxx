@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -43,6 +44,15 @@ Letters LettersOf(const std::string& text)
   return letters;
 }
 
+/// The letters of a text that are not ASCII.
+std::string BeyondAscii(const std::string& text)
+{
+  std::string letters;
+  std::ranges::copy_if(
+    text, std::back_inserter(letters), [](unsigned char c) { return c >= 0x80U; });
+  return letters;
+}
+
 bool HasLetters(FcPattern* font, const Letters& letters)
 {
   FcCharSet* own = nullptr;
@@ -50,74 +60,57 @@ bool HasLetters(FcPattern* font, const Letters& letters)
     FcCharSetIsSubset(letters.get(), own) == FcTrue;
 }
 
-void WarnOfMissing(const std::string& text)
+void WarnOfMissing(const std::string& letters)
 {
   static std::mutex mutex;
   static std::set<std::string> warned;
   {
     const std::lock_guard lock(mutex);
-    if (!warned.insert(text).second)
+    if (letters.empty() || !warned.insert(letters).second)
     {
       return;
     }
   }
-  Warn(
-    "'" + text + "' has letters that no font at hand holds; name one that does with --font FILE");
-}
-} // namespace
-
-bool IsAscii(const std::string& text)
-{
-  return std::ranges::all_of(text, [](unsigned char c) { return c < 0x80U; });
+  Warn("no font at hand holds all of the letters '" + letters +
+    "'; name one that does with --font FILE");
 }
 
-std::string ValidUtf8(const std::string& text)
+/// The font file with letters beyond ASCII and the minus sign of print; `asked` where that is a
+/// file, or where no font has them.
+FontChoice FontWithLetters(const std::string& letters, const FontChoice& asked)
 {
-  const std::string quoted =
-    nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return nlohmann::json::parse(quoted).get<std::string>();
-}
-
-FontChoice FontWithLetters(const std::string& text, const FontChoice& asked)
-{
-  if (IsAscii(text))
-  {
-    return asked;
-  }
-  const Letters letters = LettersOf(text);
   if (asked.family == FontChoice::Family::File)
   {
     int faces = 0;
     const Pattern file(
       FcFreeTypeQuery(reinterpret_cast<const FcChar8*>(asked.file.c_str()), 0, nullptr, &faces),
       &FcPatternDestroy);
-    if (!HasLetters(file.get(), letters))
+    if (!HasLetters(file.get(), LettersOf(letters)))
     {
-      WarnOfMissing(text);
+      WarnOfMissing(letters);
     }
     return asked;
   }
+  const Letters all = LettersOf(letters + "\u2212");
   const Pattern wanted(FcPatternCreate(), &FcPatternDestroy);
   const char* family = asked.family == FontChoice::Family::Serif ? "Times New Roman" : "Arial";
   FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
-  FcPatternAddCharSet(wanted.get(), FC_CHARSET, letters.get());
+  FcPatternAddCharSet(wanted.get(), FC_CHARSET, all.get());
   FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
   FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
   FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
   const Pattern found(FcFontMatch(nullptr, wanted.get(), &result), &FcPatternDestroy);
   FcChar8* file = nullptr;
-  if (!HasLetters(found.get(), letters) ||
+  if (!HasLetters(found.get(), LettersOf(letters)) ||
     FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch)
   {
-    WarnOfMissing(text);
+    WarnOfMissing(letters);
     return asked;
   }
   return { FontChoice::Family::File, reinterpret_cast<const char*>(file) };
 }
 
-namespace
-{
 /// The library is never freed, because cairo's cache of fonts is not freed.
 FT_Library Library()
 {
@@ -172,6 +165,13 @@ cairo_font_face_t* MakeFace(const FontChoice& font)
 }
 } // namespace
 
+std::string ValidUtf8(const std::string& text)
+{
+  const std::string quoted =
+    nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return nlohmann::json::parse(quoted).get<std::string>();
+}
+
 CairoFonts::CairoFonts(FontChoice asked)
   : Asked(std::move(asked))
 {
@@ -187,7 +187,12 @@ CairoFonts::~CairoFonts()
 
 void CairoFonts::Set(cairo_t* context, const std::string& text)
 {
-  const FontChoice font = FontWithLetters(text, Asked);
+  const auto [chosen, isNew] = Chosen.try_emplace(BeyondAscii(text));
+  if (isNew)
+  {
+    chosen->second = FontWithLetters(chosen->first, Asked);
+  }
+  const FontChoice& font = chosen->second;
   cairo_font_face_t*& face = Faces[font.file];
   if (face == nullptr)
   {
@@ -204,13 +209,24 @@ double CairoFonts::WidthOf(cairo_t* context, const std::string& text)
   return extents.x_advance;
 }
 
-void CairoFonts::Write(cairo_t* context, const std::string& text, double left, double y)
+void CairoFonts::MoveTo(cairo_t* context, const std::string& text, double left, double y)
 {
   Set(context, text);
   // All texts of a column share one base line.
   cairo_text_extents_t digit;
   cairo_text_extents(context, "0", &digit);
   cairo_move_to(context, left, y + 0.5 * digit.height);
+}
+
+void CairoFonts::Write(cairo_t* context, const std::string& text, double left, double y)
+{
+  MoveTo(context, text, left, y);
   cairo_show_text(context, text.c_str());
+}
+
+void CairoFonts::AddOutline(cairo_t* context, const std::string& text, double left, double y)
+{
+  MoveTo(context, text, left, y);
+  cairo_text_path(context, text.c_str());
 }
 } // namespace pixelexact

@@ -10,19 +10,13 @@
 
 namespace pixelexact
 {
-[[nodiscard]] bool IsAscii(const std::string& text);
-
 /// A text as UTF-8. Bytes that are not UTF-8, which names of files and arrays may contain, become
 /// U+FFFD.
 std::string ValidUtf8(const std::string& text);
 
-/// The font of a text: `asked`, or, where that is given by family and the text has letters beyond
-/// ASCII, the nearest font file of fontconfig with these letters. Warns once about a text with
-/// letters that the font lacks.
-FontChoice FontWithLetters(const std::string& text, const FontChoice& asked);
-
-/// Cairo's fonts for texts: fontconfig's fonts for Arial and Times New Roman, or a file. For
-/// letters that these lack see FontWithLetters. Texts must be valid UTF-8.
+/// Cairo's fonts for texts: a file, or by family the nearest to Arial or Times New Roman that
+/// fontconfig has with the letters of a text and the minus sign of print. Warns once about letters
+/// beyond ASCII that no font has. Texts must be valid UTF-8.
 class CairoFonts
 {
 public:
@@ -37,9 +31,15 @@ public:
   [[nodiscard]] double WidthOf(cairo_t* context, const std::string& text);
   /// Writes a text from `left`. `y`, measured from above, is the middle of digits.
   void Write(cairo_t* context, const std::string& text, double left, double y);
+  /// Adds the outlines of the letters of Write to the context's path.
+  void AddOutline(cairo_t* context, const std::string& text, double left, double y);
 
 private:
+  /// Sets the font and the context's point where the text begins.
+  void MoveTo(cairo_t* context, const std::string& text, double left, double y);
+
   FontChoice Asked;
+  std::map<std::string, FontChoice> Chosen;        ///< by the letters beyond ASCII
   std::map<std::string, cairo_font_face_t*> Faces; ///< by file; "": the one of a name
 };
 } // namespace pixelexact

@@ -3,11 +3,99 @@
 
 #include "Drawing/Blending.h"
 
+#include "Core/Base/Error.h"
+
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+#include <utility>
 
 namespace pixelexact
 {
+Canvas::Canvas(cairo_surface_t* surface, int width, int height, double unit, int fontSize,
+  const FontChoice& font)
+  : Width(width)
+  , Height(height)
+  , Surface(surface)
+  , Context(cairo_create(surface))
+  , Fonts(font)
+{
+  cairo_scale(Context, unit, unit);
+  cairo_set_line_cap(Context, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(Context, CAIRO_LINE_JOIN_ROUND);
+  Fonts.Set(Context, {});
+  cairo_set_font_size(Context, fontSize);
+  if (const cairo_status_t status = cairo_status(Context); status != CAIRO_STATUS_SUCCESS)
+  {
+    cairo_destroy(Context);
+    cairo_surface_destroy(Surface);
+    throw Error(std::string("cairo: ") + cairo_status_to_string(status));
+  }
+}
+
+Canvas::~Canvas()
+{
+  cairo_destroy(Context);
+  cairo_surface_destroy(Surface);
+}
+
+void Canvas::SetColor(const Rgba& color)
+{
+  cairo_set_source_rgba(
+    Context, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, color[3] / 255.0);
+}
+
+void Canvas::MoveOrigin(int x, int y)
+{
+  cairo_translate(Context, x, -y);
+  Origin = { Origin[0] + x, Origin[1] + y };
+}
+
+void Canvas::Fill(int x, int y, int width, int height, const Rgba& color)
+{
+  SetColor(color);
+  cairo_rectangle(Context, x, Down(y + height), width, height);
+  // Without anti-aliasing no background shows between the rows of a bar.
+  cairo_set_antialias(Context, CAIRO_ANTIALIAS_NONE);
+  cairo_fill(Context);
+  cairo_set_antialias(Context, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+void Canvas::AddPath(std::span<const CanvasPoint> points)
+{
+  // Starts a new path instead of continuing after the last text.
+  cairo_new_path(Context);
+  for (const CanvasPoint& point : points)
+  {
+    cairo_line_to(Context, point[0], Down(point[1]));
+  }
+  if (points.size() > 2 && points.front() == points.back())
+  {
+    cairo_close_path(Context);
+  }
+}
+
+void Canvas::FillPolygon(std::span<const CanvasPoint> points, const Rgba& color)
+{
+  SetColor(color);
+  AddPath(points);
+  cairo_close_path(Context);
+  cairo_fill(Context);
+}
+
+void Canvas::Line(std::span<const CanvasPoint> points, double width, const Rgba& color)
+{
+  if (points.empty())
+  {
+    return;
+  }
+  SetColor(color);
+  cairo_set_line_width(Context, width);
+  AddPath(points);
+  cairo_stroke(Context);
+}
+
 void Canvas::Line(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color)
 {
   Line(std::array{ from, to }, width, color);
@@ -21,171 +109,127 @@ void Canvas::Frame(int x, int y, int width, int height, const Rgba& color)
   Fill(x + width, y, 1, height, color);
 }
 
-RasterCanvas::RasterCanvas(
-  int width, int height, const Rgba& background, int fontSize, const FontChoice& font)
-  : Width(width)
-  , Height(height)
-  , Transparent(background[3] == 0)
-  , Colors(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-  , FontSize(fontSize)
-  , Texts(fontSize, font)
-  , Letters(font)
+void Canvas::Write(
+  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
 {
-  Fill(0, 0, width, height, background);
+  const std::string valid = ValidUtf8(text);
+  const double part = anchor == TextAnchor::Left ? 0.0 : anchor == TextAnchor::Right ? 1.0 : 0.5;
+  const double left = x - part * Fonts.WidthOf(Context, valid);
+  SetColor(color);
+  Fonts.Write(Context, valid, left, Down(y));
 }
 
-std::uint8_t* RasterCanvas::At(int x, int y)
+void Canvas::WriteTurned(const std::string& text, const CanvasPoint& at, double angle, int fontSize,
+  const Rgba& color, const Rgba& halo)
 {
-  return x >= 0 && x < Width && y >= 0 && y < Height
-    ? &Colors[4 *
-        (static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
-          static_cast<std::size_t>(x))]
-    : nullptr;
+  constexpr double kHaloWidth = 0.25; // of the font's size, both sides together
+  cairo_save(Context);
+  cairo_translate(Context, at[0], Down(at[1]));
+  cairo_rotate(Context, -angle * std::numbers::pi / 180.0);
+  cairo_matrix_t own;
+  cairo_get_font_matrix(Context, &own);
+  const double size = fontSize > 0 ? fontSize : own.xx;
+  cairo_set_font_size(Context, size);
+  const std::string valid = ValidUtf8(text);
+  const double left = -0.5 * Fonts.WidthOf(Context, valid);
+  if (halo[3] > 0)
+  {
+    SetColor(halo);
+    cairo_set_line_width(Context, kHaloWidth * size);
+    Fonts.AddOutline(Context, valid, left, 0.0);
+    cairo_stroke(Context);
+  }
+  SetColor(color);
+  Fonts.Write(Context, valid, left, 0.0);
+  cairo_restore(Context);
+}
+
+double Canvas::WidthOf(const std::string& text)
+{
+  return Fonts.WidthOf(Context, ValidUtf8(text));
+}
+
+void Canvas::Clip(int width, int height)
+{
+  cairo_save(Context);
+  cairo_rectangle(Context, 0.0, Down(height), width, height);
+  cairo_clip(Context);
+}
+
+void Canvas::Unclip()
+{
+  cairo_restore(Context);
+}
+
+RasterCanvas::RasterCanvas(
+  int width, int height, const Rgba& background, int fontSize, const FontChoice& font)
+  : Canvas(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height), width, height, 1.0,
+      fontSize, font)
+  , Transparent(background[3] == 0)
+  , Colors(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+{
+  for (std::size_t i = 0; i < Colors.size(); i += 4)
+  {
+    std::ranges::copy(background, &Colors[i]);
+  }
 }
 
 void RasterCanvas::Place(const Image& picture)
 {
-  auto from = picture.pixels.begin();
-  for (int j = 0; j < picture.height; ++j)
+  const std::size_t row =
+    static_cast<std::size_t>(picture.channels) * static_cast<std::size_t>(picture.width);
+  const int columns = std::min(picture.width, Width - Origin[0]);
+  for (int j = 0; j < std::min(picture.height, Height - Origin[1]); ++j)
   {
-    for (int i = 0; i < picture.width; ++i, from += picture.channels)
+    const std::uint8_t* from = &picture.pixels[static_cast<std::size_t>(j) * row];
+    std::uint8_t* to = &Colors[4 *
+      (static_cast<std::size_t>(j + Origin[1]) * static_cast<std::size_t>(Width) +
+        static_cast<std::size_t>(Origin[0]))];
+    for (int i = 0; i < columns; ++i, from += picture.channels, to += 4)
     {
-      if (std::uint8_t* to = At(i, j))
-      {
-        std::copy_n(from, picture.channels, to);
-        to[3] = picture.channels == 4 ? to[3] : 255;
-      }
+      std::copy_n(from, picture.channels, to);
+      to[3] = picture.channels == 4 ? to[3] : 255;
     }
   }
-}
-
-void RasterCanvas::Fill(int x, int y, int width, int height, const Rgba& color)
-{
-  for (int j = y; j < y + height; ++j)
-  {
-    for (int i = x; i < x + width; ++i)
-    {
-      if (std::uint8_t* to = At(i, j))
-      {
-        std::ranges::copy(color, to);
-      }
-    }
-  }
-}
-
-void RasterCanvas::Line(std::span<const CanvasPoint> points, double width, const Rgba& color)
-{
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    Segment(points[i - 1], points[i], width, color);
-  }
-}
-
-void RasterCanvas::Segment(
-  const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color)
-{
-  const double dx = to[0] - from[0];
-  const double dy = to[1] - from[1];
-  const double square = dx * dx + dy * dy;
-  const double reach = 0.5 * width + 1.0;
-  const auto first = [reach](double a, double b)
-  { return static_cast<int>(std::floor(std::min(a, b) - reach)); };
-  const auto last = [reach](double a, double b)
-  { return static_cast<int>(std::ceil(std::max(a, b) + reach)); };
-  for (int y = first(from[1], to[1]); y <= last(from[1], to[1]); ++y)
-  {
-    for (int x = first(from[0], to[0]); x <= last(from[0], to[0]); ++x)
-    {
-      std::uint8_t* pixel = At(x, y);
-      if (pixel == nullptr)
-      {
-        continue;
-      }
-      const double px = x + 0.5 - from[0];
-      const double py = y + 0.5 - from[1];
-      const double s = square > 0.0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
-      const double away = std::hypot(px - s * dx, py - s * dy);
-      const double part = std::clamp(0.5 * width + 0.5 - away, 0.0, 1.0);
-      BlendOver(color, part, pixel);
-    }
-  }
-}
-
-void RasterCanvas::Write(
-  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
-{
-  if (IsAscii(text))
-  {
-    Texts.Put(text, x, y, anchor, color, 0.0, { Width, Height, Colors.data() });
-  }
-  else
-  {
-    WriteLetters(ValidUtf8(text), x, y, anchor, color);
-  }
-}
-
-void RasterCanvas::WriteLetters(
-  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
-{
-  const double width = WidthOf(text);
-  const int border = FontSize;
-  const int columns = static_cast<int>(std::ceil(width)) + 2 * border;
-  const int rows = 3 * FontSize;
-  cairo_surface_t* mask = cairo_image_surface_create(CAIRO_FORMAT_A8, columns, rows);
-  cairo_t* context = cairo_create(mask);
-  cairo_set_font_size(context, FontSize);
-  Letters.Write(context, text, border, 0.5 * rows);
-  cairo_destroy(context);
-  cairo_surface_flush(mask);
-  const double left = x -
-    (anchor == TextAnchor::Left       ? 0.0
-        : anchor == TextAnchor::Right ? width
-                                      : 0.5 * width);
-  const int x0 = static_cast<int>(std::lround(left)) - border;
-  const int y0 = static_cast<int>(std::lround(y + 0.5 * rows)) - 1;
-  const unsigned char* parts = cairo_image_surface_get_data(mask);
-  const int stride = cairo_image_surface_get_stride(mask);
-  for (int j = 0; parts != nullptr && j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      std::uint8_t* pixel = At(x0 + i, y0 - j);
-      if (const unsigned char part = parts[j * stride + i]; pixel != nullptr && part > 0)
-      {
-        BlendOver(color, part / 255.0, pixel);
-      }
-    }
-  }
-  cairo_surface_destroy(mask);
-}
-
-double RasterCanvas::WidthOf(const std::string& text)
-{
-  if (IsAscii(text))
-  {
-    return Texts.SizeOf(text).width;
-  }
-  cairo_surface_t* none = cairo_image_surface_create(CAIRO_FORMAT_A8, 0, 0);
-  cairo_t* context = cairo_create(none);
-  cairo_set_font_size(context, FontSize);
-  const double width = Letters.WidthOf(context, ValidUtf8(text));
-  cairo_destroy(context);
-  cairo_surface_destroy(none);
-  return width;
 }
 
 Image RasterCanvas::Picture() const
 {
+  std::vector<std::uint8_t> all = Colors;
+  cairo_surface_flush(Surface);
+  const unsigned char* const drawn = cairo_image_surface_get_data(Surface);
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(Surface));
+  for (int j = 0; j < Height; ++j)
+  {
+    const unsigned char* from = drawn + stride * static_cast<std::size_t>(Height - 1 - j);
+    std::uint8_t* to = &all[4 * static_cast<std::size_t>(j) * static_cast<std::size_t>(Width)];
+    for (int i = 0; i < Width; ++i, from += 4, to += 4)
+    {
+      std::uint32_t pixel = 0;
+      std::memcpy(&pixel, from, sizeof pixel);
+      const std::uint32_t alpha = pixel >> 24U;
+      if (alpha > 0)
+      {
+        const auto channel = [&](unsigned shift)
+        {
+          const std::uint32_t premultiplied = pixel >> shift & 0xffU;
+          return static_cast<std::uint8_t>(
+            std::min(255U, (premultiplied * 255U + alpha / 2U) / alpha));
+        };
+        BlendOver({ channel(16), channel(8), channel(0), 255 }, alpha / 255.0, to);
+      }
+    }
+  }
   Image picture{ Width, Height, Transparent ? 4 : 3, {} };
   if (Transparent)
   {
-    picture.pixels = Colors;
+    picture.pixels = std::move(all);
     return picture;
   }
-  picture.pixels.resize(Colors.size() / 4 * 3);
-  for (std::size_t i = 0; i < Colors.size() / 4; ++i)
+  picture.pixels.resize(all.size() / 4 * 3);
+  for (std::size_t i = 0; i < all.size() / 4; ++i)
   {
-    std::copy_n(&Colors[4 * i], 3, &picture.pixels[3 * i]);
+    std::copy_n(&all[4 * i], 3, &picture.pixels[3 * i]);
   }
   return picture;
 }

@@ -15,22 +15,51 @@ namespace
 constexpr double kRounding = 1e-9;
 constexpr int kMaxDigits = 17;
 
-/// Ticks in the fewest digits that distinguish them and reproduce the values.
-std::vector<Tick> Written(const std::vector<double>& values)
+/// "-1.5e-07" with minus signs of print and without zeros before the exponent.
+std::string Printed(double value, int digits)
+{
+  constexpr const char* kMinus = "\u2212";
+  const std::string plain = fmt::format("{:.{}g}", value, digits);
+  std::string text;
+  text.reserve(plain.size() + 4);
+  for (std::size_t i = 0; i < plain.size(); ++i)
+  {
+    const bool isOfExponent = i > 0 && plain[i - 1] == 'e';
+    if (plain[i] == '-')
+    {
+      text += kMinus;
+    }
+    else if (plain[i] != '+')
+    {
+      text += plain[i];
+    }
+    if (isOfExponent && i + 2 < plain.size() && plain[i + 1] == '0')
+    {
+      ++i;
+    }
+  }
+  return text;
+}
+
+/// Ticks in the fewest digits, at least `fewest`, that distinguish them. `reproduced`: and that
+/// give the values.
+std::vector<Tick> Written(const std::vector<double>& values, int fewest, bool reproduced)
 {
   std::vector<Tick> ticks;
-  for (int digits = 1; digits <= kMaxDigits; ++digits)
+  const std::set<double> different(values.begin(), values.end());
+  for (int digits = fewest; digits <= kMaxDigits; ++digits)
   {
     ticks.clear();
     std::set<std::string> texts;
     bool same = true;
     for (const double value : values)
     {
-      ticks.push_back({ value, fmt::format("{:.{}g}", value, digits) });
+      ticks.push_back({ value, Printed(value, digits) });
       texts.insert(ticks.back().text);
-      same = same && std::fabs(std::stod(ticks.back().text) - value) <= 1e-9 * std::fabs(value);
+      const double read = std::stod(fmt::format("{:.{}g}", value, digits));
+      same = same && (!reproduced || std::fabs(read - value) <= 1e-9 * std::fabs(value));
     }
-    if (texts.size() == values.size() && same)
+    if (texts.size() == different.size() && same)
     {
       break;
     }
@@ -112,22 +141,47 @@ std::vector<Tick> TicksOfBands(
     // Replaces a rounding error about zero by 0.
     value = !logarithm && std::fabs(value) < kRounding * length ? 0.0 : value;
   }
-  constexpr int kFewestDigits = 3;
-  std::vector<Tick> ticks;
-  for (int digits = kFewestDigits; digits <= kMaxDigits; ++digits)
+  return Written(values, 3, false);
+}
+
+std::vector<Tick> RoundTicks(const std::array<double, 2>& range, int most)
+{
+  std::vector<double> values = Linear(range, most);
+  while (values.size() < 2)
   {
-    ticks.clear();
-    std::set<std::string> texts;
-    for (const double value : values)
-    {
-      ticks.push_back({ value, fmt::format("{:.{}g}", value, digits) });
-      texts.insert(ticks.back().text);
-    }
-    if (texts.size() == values.size())
-    {
-      break;
-    }
+    values = Linear(range, ++most);
   }
+  return Written(values, 1, true);
+}
+
+std::vector<Tick> TicksAt(const std::vector<double>& values)
+{
+  return Written(values, 4, false);
+}
+
+std::vector<Tick> TicksOfBar(const std::array<double, 2>& range, bool logarithm, int most)
+{
+  if (!(range[1] > range[0]))
+  {
+    return TicksAt({ range[0] });
+  }
+  const bool powers = logarithm && range[0] > 0.0;
+  const auto partOf = [&](double value)
+  {
+    return powers ? std::log(value / range[0]) / std::log(range[1] / range[0])
+                  : (value - range[0]) / (range[1] - range[0]);
+  };
+  const double room = 1.0 / std::max(most, 2);
+  std::vector<Tick> ticks = TicksWithin(range, logarithm, most);
+  std::erase_if(ticks,
+    [&](const Tick& tick)
+    {
+      const double part = partOf(tick.value);
+      return !(part > 0.7 * room && part < 1.0 - 0.7 * room);
+    });
+  const std::vector<Tick> ends = TicksAt({ range[0], range[1] });
+  ticks.insert(ticks.begin(), ends.front());
+  ticks.push_back(ends.back());
   return ticks;
 }
 
@@ -144,6 +198,6 @@ std::vector<Tick> TicksWithin(const std::array<double, 2>& range, bool logarithm
       values = { range[0], range[1] };
     }
   }
-  return Written(values);
+  return Written(values, 1, true);
 }
 } // namespace pixelexact

@@ -7,7 +7,7 @@
 
 namespace pixelexact
 {
-/// A place on a scale, and its text.
+/// A place on a scale, and its text, whose minus signs are those of print (U+2212).
 struct Tick
 {
   double value;
@@ -19,6 +19,17 @@ struct Tick
 /// multiples by 2 and 5 where there is room; for less than a decade as without. `range` must
 /// ascend.
 std::vector<Tick> TicksWithin(const std::array<double, 2>& range, bool logarithm, int most);
+
+/// Round values within a range, at most `most`, or the two or three of the coarsest step that has
+/// two; for ranges whose ends are no values of the data. `range` must ascend.
+std::vector<Tick> RoundTicks(const std::array<double, 2>& range, int most);
+
+/// The ticks of a colour bar: those of TicksWithin that have room beside the ends of the range, and
+/// the ends, in the fewest digits, at least 4, that distinguish them.
+std::vector<Tick> TicksOfBar(const std::array<double, 2>& range, bool logarithm, int most);
+
+/// Given values, each in the fewest digits, at least 4, that distinguish them.
+std::vector<Tick> TicksAt(const std::vector<double>& values);
 
 /// The ends of bands of equal width (with `logarithm` in powers), or every second, third, ... of
 /// them, so that there are at most `most`, in the fewest digits, at least 3, that distinguish them.

@@ -12,8 +12,9 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <numbers>
+#include <map>
 #include <sstream>
 
 namespace pixelexact
@@ -39,63 +40,82 @@ void AddDescription(const std::string& text, std::string& svg)
   const auto end = svg.find('>', tag);
   svg.insert(end + 1, "\n" + description.str());
 }
-} // namespace
 
-struct VectorCanvas::Cairo
+/// Numbers the names of an SVG's parts, "image5", by their order in it. Cairo counts all surfaces
+/// of the process.
+std::string WithNumberedNames(const std::string& svg)
 {
-  PictureFormat format = PictureFormat::Pdf;
-  double height = 0.0;
-  std::string bytes;
-  cairo_surface_t* surface = nullptr;
-  cairo_t* context = nullptr;
-  CairoFonts fonts;
-
-  explicit Cairo(const FontChoice& font)
-    : fonts(font)
+  std::map<std::string, std::size_t> numbers;
+  std::string result;
+  result.reserve(svg.size());
+  std::size_t at = 0;
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  while (at < svg.size())
   {
+    // Pictures are base64, which has neither.
+    std::size_t begin = std::min(svg.find('#', at), svg.find(" id=\"", at));
+    if (begin == std::string::npos)
+    {
+      break;
+    }
+    begin += svg[begin] == '#' ? 1 : 5;
+    const std::size_t digits = svg.find_first_of("0123456789\")", begin);
+    const std::size_t end = svg.find_first_of("\")", begin);
+    result.append(svg, at, begin - at);
+    at = begin;
+    if (end != std::string::npos && digits < end &&
+      std::all_of(svg.begin() + static_cast<std::ptrdiff_t>(digits),
+        svg.begin() + static_cast<std::ptrdiff_t>(end), isDigit))
+    {
+      const std::size_t number =
+        numbers.try_emplace(svg.substr(begin, end - begin), numbers.size()).first->second;
+      result.append(svg, begin, digits - begin).append(std::to_string(number));
+      at = end;
+    }
   }
+  return result.append(svg, at, std::string::npos);
+}
 
-  void SetColor(const Rgba& color) const
+cairo_surface_t* CreateSurface(
+  PictureFormat format, std::string& bytes, double width, double height)
+{
+  if (format == PictureFormat::Pdf)
   {
-    cairo_set_source_rgba(
-      context, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, color[3] / 255.0);
+    return cairo_pdf_surface_create_for_stream(&Append, &bytes, width, height);
   }
-};
+  cairo_surface_t* surface = cairo_svg_surface_create_for_stream(&Append, &bytes, width, height);
+  // Without a unit, cairo 1.18 leaves the size to the viewer.
+  cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PT);
+  return surface;
+}
+} // namespace
 
 VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double dpi,
   const Rgba& background, int fontSize, const FontChoice& font)
-  : With(std::make_unique<Cairo>(font))
+  : VectorCanvas(
+      std::make_unique<std::string>(), format, width, height, kPointsPerInch / dpi, fontSize, font)
 {
-  const double point = kPointsPerInch / dpi;
-  With->format = format;
-  With->height = height;
-  const auto create = format == PictureFormat::Pdf ? &cairo_pdf_surface_create_for_stream
-                                                   : &cairo_svg_surface_create_for_stream;
-  With->surface = create(&Append, &With->bytes, width * point, height * point);
-  if (format != PictureFormat::Pdf)
-  {
-    // Without a unit, cairo 1.18 leaves the size to the viewer.
-    cairo_svg_surface_set_document_unit(With->surface, CAIRO_SVG_UNIT_PT);
-  }
-  With->context = cairo_create(With->surface);
-  cairo_scale(With->context, point, point);
-  With->fonts.Set(With->context, {});
-  cairo_set_font_size(With->context, fontSize);
   if (background[3] > 0)
   {
-    With->SetColor(background);
-    cairo_paint(With->context);
+    cairo_set_source_rgb(
+      Context, background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+    cairo_paint(Context);
   }
-  if (cairo_status(With->context) != CAIRO_STATUS_SUCCESS)
-  {
-    throw Error(std::string("cairo: ") + cairo_status_to_string(cairo_status(With->context)));
-  }
+}
+
+VectorCanvas::VectorCanvas(std::unique_ptr<std::string> bytes, PictureFormat format, int width,
+  int height, double point, int fontSize, const FontChoice& font)
+  : Canvas(CreateSurface(format, *bytes, width * point, height * point), width, height, point,
+      fontSize, font)
+  , Format(format)
+  , Bytes(std::move(bytes))
+{
 }
 
 VectorCanvas::~VectorCanvas()
 {
-  cairo_destroy(With->context);
-  cairo_surface_destroy(With->surface);
+  // Writes into Bytes, which are freed before the surface.
+  cairo_surface_finish(Surface);
 }
 
 void VectorCanvas::Place(const Image& picture)
@@ -118,113 +138,39 @@ void VectorCanvas::Place(const Image& picture)
   }
   cairo_surface_t* image = cairo_image_surface_create_for_data(
     pixels.data(), CAIRO_FORMAT_ARGB32, picture.width, picture.height, stride);
-  cairo_set_source_surface(With->context, image, 0.0, With->height - picture.height);
+  cairo_set_source_surface(Context, image, 0.0, Height - picture.height);
   // Keeps pixels as sharp squares.
-  cairo_pattern_set_filter(cairo_get_source(With->context), CAIRO_FILTER_NEAREST);
-  cairo_paint(With->context);
+  cairo_pattern_set_filter(cairo_get_source(Context), CAIRO_FILTER_NEAREST);
+  cairo_paint(Context);
   // Flushes now, because the pixels are freed after this block.
-  cairo_surface_flush(With->surface);
-  cairo_set_source_rgb(With->context, 0.0, 0.0, 0.0);
+  cairo_surface_flush(Surface);
+  cairo_set_source_rgb(Context, 0.0, 0.0, 0.0);
   cairo_surface_finish(image);
   cairo_surface_destroy(image);
-}
-
-void VectorCanvas::Fill(int x, int y, int width, int height, const Rgba& color)
-{
-  With->SetColor(color);
-  cairo_rectangle(With->context, x, With->height - y - height, width, height);
-  // Without anti-aliasing no background shows between the rows of a bar.
-  cairo_set_antialias(With->context, CAIRO_ANTIALIAS_NONE);
-  cairo_fill(With->context);
-  cairo_set_antialias(With->context, CAIRO_ANTIALIAS_DEFAULT);
-}
-
-void VectorCanvas::Line(std::span<const CanvasPoint> points, double width, const Rgba& color)
-{
-  if (points.empty())
-  {
-    return;
-  }
-  With->SetColor(color);
-  cairo_set_line_width(With->context, width);
-  cairo_set_line_cap(With->context, CAIRO_LINE_CAP_ROUND);
-  cairo_set_line_join(With->context, CAIRO_LINE_JOIN_ROUND);
-  // Starts a new path instead of continuing after the last text.
-  cairo_new_path(With->context);
-  for (const CanvasPoint& point : points)
-  {
-    cairo_line_to(With->context, point[0], With->height - point[1]);
-  }
-  if (points.size() > 2 && points.front() == points.back())
-  {
-    cairo_close_path(With->context);
-  }
-  cairo_stroke(With->context);
-}
-
-double VectorCanvas::WidthOf(const std::string& text)
-{
-  return With->fonts.WidthOf(With->context, ValidUtf8(text));
-}
-
-void VectorCanvas::Write(
-  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
-{
-  const double width = WidthOf(text);
-  const double left = anchor == TextAnchor::Left ? x
-    : anchor == TextAnchor::Right                ? x - width
-                                                 : x - 0.5 * width;
-  With->SetColor(color);
-  With->fonts.Write(With->context, ValidUtf8(text), left, With->height - y);
-}
-
-void VectorCanvas::WriteTurned(
-  const std::string& text, const CanvasPoint& at, double angle, int fontSize, const Rgba& color)
-{
-  cairo_save(With->context);
-  cairo_translate(With->context, at[0], With->height - at[1]);
-  cairo_rotate(With->context, -angle * std::numbers::pi / 180.0);
-  cairo_set_font_size(With->context, fontSize);
-  const std::string valid = ValidUtf8(text);
-  const double width = With->fonts.WidthOf(With->context, valid);
-  With->SetColor(color);
-  With->fonts.Write(With->context, valid, -0.5 * width, 0.0);
-  cairo_restore(With->context);
-}
-
-void VectorCanvas::Clip(int width, int height)
-{
-  cairo_save(With->context);
-  cairo_rectangle(With->context, 0.0, With->height - height, width, height);
-  cairo_clip(With->context);
-}
-
-void VectorCanvas::Unclip()
-{
-  cairo_restore(With->context);
 }
 
 std::string VectorCanvas::Finish(const PictureTexts& texts, const std::string& file)
 {
   const std::string description = ValidUtf8(LinesOf(texts));
-  if (With->format == PictureFormat::Pdf)
+  if (Format == PictureFormat::Pdf)
   {
-    cairo_pdf_surface_set_metadata(With->surface, CAIRO_PDF_METADATA_CREATOR, kPictureMark);
-    cairo_pdf_surface_set_metadata(With->surface, CAIRO_PDF_METADATA_SUBJECT, description.c_str());
+    cairo_pdf_surface_set_metadata(Surface, CAIRO_PDF_METADATA_CREATOR, kPictureMark);
+    cairo_pdf_surface_set_metadata(Surface, CAIRO_PDF_METADATA_SUBJECT, description.c_str());
   }
-  cairo_show_page(With->context);
-  cairo_surface_finish(With->surface);
-  const cairo_status_t status = cairo_surface_status(With->surface);
+  cairo_show_page(Context);
+  cairo_surface_finish(Surface);
+  const cairo_status_t status = cairo_surface_status(Surface);
   if (status != CAIRO_STATUS_SUCCESS)
   {
     throw Error("cannot write '" + file + "': cairo: " + cairo_status_to_string(status));
   }
-  if (With->format == PictureFormat::Svg)
+  if (Format == PictureFormat::Svg)
   {
+    *Bytes = WithNumberedNames(*Bytes);
     AddDescription(
       "Software: " + std::string(kPictureMark) + (description.empty() ? "" : "\n" + description),
-      With->bytes);
+      *Bytes);
   }
-  return std::move(With->bytes);
+  return std::move(*Bytes);
 }
 } // namespace pixelexact

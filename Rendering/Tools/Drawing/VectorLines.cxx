@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/VectorLines.h"
 
-#include "Drawing/VectorCanvas.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -101,7 +99,7 @@ std::vector<Path> PartsBeside(const std::vector<ContourLabel>& labels, const Pat
   return parts;
 }
 
-void VectorLines::Draw(VectorCanvas& canvas, int width, int height) const
+void VectorLines::Draw(Canvas& canvas, int width, int height) const
 {
   canvas.Clip(width, height);
   for (const VectorLine& line : lines)
@@ -110,7 +108,8 @@ void VectorLines::Draw(VectorCanvas& canvas, int width, int height) const
   }
   for (const ContourLabel& label : labels)
   {
-    canvas.WriteTurned(label.text, { label.x, label.y }, label.angle, labelSize, label.color);
+    canvas.WriteTurned(
+      label.text, { label.x, label.y }, label.angle, labelSize, label.color, InkOn(label.color));
   }
   canvas.Unclip();
 }

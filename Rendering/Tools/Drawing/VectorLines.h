@@ -9,8 +9,6 @@
 
 namespace pixelexact
 {
-class VectorCanvas;
-
 /// A line over a picture's pixels.
 struct VectorLine
 {
@@ -28,7 +26,7 @@ struct VectorLines
   int labelSize = 0; ///< of their font, in pixels
 
   /// Draws the lines, clipped to the picture, whose lower left corner is that of the canvas.
-  void Draw(VectorCanvas& canvas, int width, int height) const;
+  void Draw(Canvas& canvas, int width, int height) const;
 };
 
 /// The parts of a line that are not where a label is.

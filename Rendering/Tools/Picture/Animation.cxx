@@ -165,7 +165,8 @@ void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& wat
   {
     pictures.FindValues();
   }
-  const ImageSize& size = options.shot.size;
+  const auto& layout = pictures.Current().layout;
+  const ImageSize size = layout ? layout->size : options.shot.size;
   const BufferFiles buffers(options, pictures);
   Video video(options.output, size.width, size.height, options.animation.FramesPerSecond());
   const FrameProgress progress("picture", pictures.Frames());

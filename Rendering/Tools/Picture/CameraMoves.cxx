@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/CameraMoves.h"
 
+#include "Picture/Projection.h"
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -8,23 +10,6 @@
 
 namespace pixelexact
 {
-namespace
-{
-struct CameraAxes
-{
-  Vec3 forward;
-  Vec3 right;
-  Vec3 up;
-};
-
-CameraAxes AxesOf(const CameraView& view)
-{
-  const Vec3 forward = glm::normalize(view.focalPoint - view.position);
-  const Vec3 right = glm::normalize(glm::cross(forward, view.viewUp));
-  return { forward, right, glm::cross(right, forward) };
-}
-} // namespace
-
 Vec3 Rotated(const Vec3& v, const Vec3& axis, double angle)
 {
   return std::cos(angle) * v + std::sin(angle) * glm::cross(axis, v) +

@@ -7,18 +7,26 @@
 #include "Frames/ContourLabels.h"
 #include "Picture/ContourReport.h"
 #include "Picture/EdgePaths.h"
+#include "Picture/Figure.h"
 #include "Picture/RenderOptions.h"
 #include "Picture/SharedTrace.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <utility>
 
 namespace pixelexact
 {
+namespace
+{
+/// Size of the canvas's letters where no text has that size.
+constexpr int kNoLetters = 10;
+} // namespace
+
 Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress)
 {
   const bool hasField = shot.scene.layers.front().field != nullptr;
@@ -197,76 +205,87 @@ void DrawnShot::AddContours(const std::vector<ContourPath>& contours)
   }
 }
 
+void DrawnShot::DrawOn(Canvas& canvas) const
+{
+  const std::array<int, 2> corner = Of.layout ? Of.layout->corner : std::array<int, 2>{};
+  canvas.MoveOrigin(corner[0], corner[1]);
+  canvas.Place(Options.shot.colors.Flatten(Pixels));
+  Over.Draw(canvas, Pixels.width, Pixels.height);
+  if (Of.layout && Options.marks.IsAsked())
+  {
+    ExtremeMarks::Draw(canvas, Of, Pixels, Extremes, Of.layout->font);
+  }
+  canvas.MoveOrigin(-corner[0], -corner[1]);
+  if (Of.layout)
+  {
+    DrawFigure(canvas);
+  }
+}
+
 void DrawnShot::DrawFigure(Canvas& canvas) const
 {
-  FigureContent content{ Of, *Colors, Pixels, Options.shot.colors, true, {} };
-  content.bars = !Options.contours.Only() || Options.contours.ByMap();
+  FigureContent content{ Of, *Colors, Pixels, Options.shot.colors, true, {}, {} };
+  content.hasBars = !Told.IsInPlace() && (!Options.contours.Only() || Options.contours.ByMap());
+  for (const ColorMeaning& meaning : Told.SeenLegend(Pixels))
+  {
+    content.marks.push_back({ meaning.color, std::string(meaning.meaning) });
+  }
+  if (Told.LargestJump() > 0.0)
+  {
+    content.bar = FigureBar{ "jump of " + Of.scene.layers.front().field->name,
+      { 0.0, Told.LargestJump() }, JumpColors(Told.LargestJump()).Map() };
+  }
   if (Told.UndecidedPixels() > 0)
   {
     content.marks.push_back({ *Colors->GetView().appearance.undecided, "undecided" });
   }
-  AddBeyond(content);
-  if (Options.marks.IsAsked())
-  {
-    ExtremeMarks::Draw(canvas, Of, Pixels, Extremes, Options.figure.FontOf(Options.shot.size));
-  }
-  Options.figure.Draw(canvas, Options.shot.size, content);
+  AddNoLogarithm(content);
+  Options.figure.Draw(canvas, content);
 }
 
-void DrawnShot::AddBeyond(FigureContent& content) const
+void DrawnShot::AddNoLogarithm(FigureContent& content) const
 {
   const auto shown = std::ranges::find_if(
     Colors->Ranges(), [](const ValueRange& range) { return range.has_value(); });
-  if (shown == Colors->Ranges().end() || !content.bars)
+  if (shown == Colors->Ranges().end() || !content.hasBars || found_.beyond.noLogarithm == 0)
   {
     return;
   }
-  const ColorMap& map = Colors->Maps()[static_cast<std::size_t>(shown - Colors->Ranges().begin())];
-  const auto add = [&](std::int64_t pixels, double value, const std::string& text)
-  {
-    if (pixels > 0)
-    {
-      Rgba color{};
-      map({ &value, 1 }, color.data());
-      color[3] = 255;
-      content.marks.push_back({ color, text });
-    }
-  };
-  const auto& [low, high] = **shown;
-  const PixelsBeyond& beyond = found_.beyond;
-  add(beyond.below, low, "below " + Short(low, 4));
-  add(beyond.above, high, "above " + Short(high, 4));
-  add(beyond.noLogarithm, std::numeric_limits<double>::quiet_NaN(), "no logarithm");
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Rgba color{};
+  Colors->Maps()[static_cast<std::size_t>(shown - Colors->Ranges().begin())](
+    { &none, 1 }, color.data());
+  color[3] = 255;
+  content.marks.push_back({ color, "no logarithm" });
+}
+
+ImageSize DrawnShot::Size() const
+{
+  return Of.layout ? Of.layout->size : Options.shot.size;
 }
 
 Image DrawnShot::Picture() const
 {
   const ColorOptions& colors = Options.shot.colors;
-  if (!Options.figure.IsAsked())
+  if (!Of.layout)
   {
     return colors.Flatten(Pixels);
   }
-  const ImageSize& size = Options.shot.size;
-  RasterCanvas canvas(size.width, size.height, colors.BackgroundColor(),
-    Options.figure.FontOf(size), Options.font.Choice());
-  canvas.Place(colors.Flatten(Pixels));
-  DrawFigure(canvas);
+  const ImageSize size = Size();
+  RasterCanvas canvas(
+    size.width, size.height, colors.BackgroundColor(), Of.layout->font, Options.font.Choice());
+  DrawOn(canvas);
   return canvas.Picture();
 }
 
 std::string DrawnShot::Vectors(
   PictureFormat format, const PictureTexts& texts, const std::string& file) const
 {
-  const ColorOptions& colors = Options.shot.colors;
-  const ImageSize& size = Options.shot.size;
+  const ImageSize size = Size();
   VectorCanvas canvas(format, size.width, size.height, Options.Dpi().value_or(kDefaultDpi),
-    colors.BackgroundColor(), Options.figure.FontOf(size), Options.font.Choice());
-  canvas.Place(colors.Flatten(Pixels));
-  Over.Draw(canvas, Pixels.width, Pixels.height);
-  if (Options.figure.IsAsked())
-  {
-    DrawFigure(canvas);
-  }
+    Options.shot.colors.BackgroundColor(), Of.layout ? Of.layout->font : kNoLetters,
+    Options.font.Choice());
+  DrawOn(canvas);
   return canvas.Finish(texts, file);
 }
 

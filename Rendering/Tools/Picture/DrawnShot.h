@@ -57,6 +57,8 @@ public:
   [[nodiscard]] const ContourCertifier* Contours() const { return Colors->GetPainter().Contours(); }
   [[nodiscard]] const Found& WhatIsFound() const { return found_; }
 
+  /// The size of Picture.
+  [[nodiscard]] ImageSize Size() const;
   /// The picture alone, or with a figure around it.
   [[nodiscard]] Image Picture() const;
   /// The bytes of the same as a PDF or SVG.
@@ -71,9 +73,11 @@ private:
   void ReportUnchanged(const char* what, bool arePaths);
   void AddLines(std::vector<std::vector<CanvasPoint>> paths, double width, const Rgba& color);
   void AddContours(const std::vector<ContourPath>& contours);
+  /// Draws the picture with its paths and, where there is a layout, the figure.
+  void DrawOn(Canvas& canvas) const;
   void DrawFigure(Canvas& canvas) const;
-  /// Adds the colours of values beyond the range, and of those that have no logarithm.
-  void AddBeyond(FigureContent& content) const;
+  /// Adds the colour of values that have no logarithm, where there are any.
+  void AddNoLogarithm(FigureContent& content) const;
 
   const RenderOptions& Options;
   const Shot& Of;

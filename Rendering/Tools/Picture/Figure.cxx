@@ -5,17 +5,16 @@
 #include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Drawing/Canvas.h"
-#include "Picture/FigureColumn.h"
+#include "Picture/FigureAxes.h"
 #include "Scene/ColorOptions.h"
-#include "Scene/Shot.h"
+#include "Scene/ContourOptions.h"
+#include "Scene/LayerRanges.h"
 #include "Scene/ShotAppearance.h"
 
-#include "Trace/Surfaces/Surface.h"
-
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +29,10 @@ constexpr double kDefaultPoints = 7.0;
 constexpr double kSmallestPoints = 4.0;
 /// Height of a title, in units of the font's size.
 constexpr int kTitle = 3;
+/// Smallest height of a figure with a column, in units of the font's size.
+constexpr int kLowest = 18;
+/// Aspect above which a figure whose height is not given has its legend below the picture.
+constexpr double kWide = 2.2;
 /// Smallest side of a picture, in pixels.
 constexpr int kMin = 32;
 
@@ -44,60 +47,67 @@ std::string NameOf(const Layer& layer)
   return layer.component == kMagnitude ? "|" + name + "|" : name + " " + ComponentName(layer);
 }
 
-/// One bar for layers with equal colours.
-std::vector<FigureBar> BarsOf(const Shot& shot, const ShotAppearance& appearance)
+/// Divides a figure for a mesh whose box has an aspect in the picture.
+FigureLayout Divide(
+  const ImageSize& size, int font, bool hasTitle, double aspect, bool hasCoordinates)
 {
-  std::vector<FigureBar> bars;
-  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
+  FigureLayout layout{ size, {}, {}, font, false, hasCoordinates };
+  layout.corner = hasCoordinates ? std::array{ 6 * font, 4 * font } : std::array{ 0, 0 };
+  const int top = hasTitle ? kTitle * font : hasCoordinates ? font : 0;
+  const int beside = size.width - layout.corner[0] - FigureLegend::kColumn * font;
+  const int below = size.width - layout.corner[0] - (hasCoordinates ? font : 0);
+  const int strip = FigureLegend::kStrip * font;
+  if (size.height == 0)
   {
-    const auto& range = appearance.Ranges()[k];
-    if (!range)
-    {
-      continue;
-    }
-    const auto colormap = shot.settings[k].colormap;
-    const std::string name = NameOf(shot.scene.layers[k]);
-    bool isNew = true;
-    for (std::size_t other = 0; other < k && isNew; ++other)
-    {
-      isNew = appearance.Ranges()[other] != range || shot.settings[other].colormap != colormap ||
-        NameOf(shot.scene.layers[other]) != name;
-    }
-    if (isNew)
-    {
-      bars.push_back({ name, *range, &appearance.Maps()[k] });
-    }
+    layout.legendBelow = aspect > kWide;
+    const int width = layout.legendBelow ? below : beside;
+    const int height = static_cast<int>(std::clamp(width / aspect, 0.1 * width, 1.6 * width));
+    layout.size.height =
+      std::max(height + layout.corner[1] + top + (layout.legendBelow ? strip : 0),
+        layout.legendBelow ? 0 : kLowest * font);
+    layout.size.height += layout.size.height % 2; // as videos need it
   }
-  return bars;
+  const int height = layout.size.height - layout.corner[1] - top;
+  if (size.height > 0)
+  {
+    // The legend is where it leaves more room to the mesh.
+    const auto scale = [aspect](int across, int up)
+    { return std::min(across / aspect, static_cast<double>(up)); };
+    layout.legendBelow = scale(below, height - strip) > 1.1 * scale(beside, height);
+  }
+  layout.picture = { layout.legendBelow ? below : beside,
+    layout.legendBelow ? height - strip : height, {} };
+  layout.corner[1] += layout.legendBelow ? strip : 0;
+  return layout;
 }
 
-/// The length of a pixel in world units where it is the same in the whole picture, else 0.
-double UnitOf(const Shot& shot)
+bool HasRoom(const FigureLayout& layout)
 {
-  const CameraView& view = shot.view;
-  if (view.parallel)
-  {
-    return 2.0 * view.parallelScale / shot.size.height;
-  }
-  const Surface& surface = *shot.scene.layers.front().surface;
-  const Vec3 towards = glm::normalize(view.position - view.focalPoint);
-  if (shot.scene.layers.size() > 1 || !surface.IsFlat() ||
-    std::fabs(glm::dot(surface.Normal({ view.focalPoint }), towards)) < 1.0 - 1e-9)
-  {
-    return 0.0;
-  }
-  const auto hits =
-    HitsOf(surface, shot.MakeCamera().At(0.5 * shot.size.width, 0.5 * shot.size.height));
-  return hits.empty() ? 0.0
-                      : 2.0 * glm::distance(hits.front().position, view.position) *
-      std::tan(0.5 * glm::radians(view.viewAngle)) / shot.size.height;
+  return layout.picture.width >= kMin && layout.picture.height >= kMin &&
+    (layout.legendBelow || layout.size.height >= kLowest * layout.font);
 }
+
+/// Texts of --axes, in the order of FigureOptions::Axes.
+constexpr std::array kAxes{ "coordinates", "directions", "none" };
 } // namespace
 
 void FigureOptions::AddTo(CLI::App& command)
 {
   Bind(command, "--figure", Asked);
   Bind(command, "--title", Title);
+  Bind(command, "--bar-title", BarTitle);
+  Bind(command, "--unit", Unit);
+  Bind(command, "--length-unit", LengthUnit);
+  Bind(command, "--axes",
+    [this](const std::string& text)
+    { Which = static_cast<Axes>(std::ranges::find(kAxes, text) - kAxes.begin()); });
+  Bind(command, "--bar-ticks",
+    [this](const std::string& text)
+    {
+      const ContourRule ticks = ReadContours("--bar-ticks", text, ',');
+      TickCount = ticks.count > 0 ? std::optional(ticks.count) : std::nullopt;
+      TickValues = ticks.values;
+    });
   Bind(command, "--font-size",
     [this](const std::string& text)
     {
@@ -118,23 +128,11 @@ int FigureOptions::FontOf(const ImageSize& figure) const
 {
   // A point of print has a length in pixels where the figure has a size in inches.
   const double point = figure.inches ? figure.width / (*figure.inches)[0] / kPointsPerInch : 1.0;
+  const double height = figure.height > 0 ? figure.height : 0.7 * figure.width;
   const double usual =
-    figure.inches ? kDefaultPoints * point : std::clamp(figure.height / 40.0, 10.0, kLargestFont);
+    figure.inches ? kDefaultPoints * point : std::clamp(height / 40.0, 10.0, kLargestFont);
   const double size = FontSize ? *FontSize * (InPoints ? point : 1.0) : usual;
   return static_cast<int>(std::clamp(size, kSmallestFont, kLargestFont));
-}
-
-Rgba InkOn(const Rgba& background)
-{
-  const double light = 0.299 * background[0] + 0.587 * background[1] + 0.114 * background[2];
-  return light > 127.0 ? Rgba{ 0, 0, 0, 255 } : Rgba{ 255, 255, 255, 255 };
-}
-
-ImageSize FigureOptions::PictureSize(const ImageSize& figure) const
-{
-  const int font = FontOf(figure);
-  return { figure.width - FigureColumn::kWidth * font,
-    figure.height - (Title.empty() ? 0 : kTitle * font), {} };
 }
 
 void FigureOptions::Check(const ImageSize& size) const
@@ -143,73 +141,141 @@ void FigureOptions::Check(const ImageSize& size) const
   {
     throw UsageError("--font-size: points have no size in pixels here; give --size in mm or in");
   }
-  const ImageSize picture = PictureSize(size);
-  if (Asked && (picture.width < kMin || picture.height < kMin || size.height < 18 * FontOf(size)))
+  if (Asked && std::max(size.width, size.height) > RasterCanvas::kMaxSide)
   {
-    throw UsageError(fmt::format("--figure: {} x {} pixels have no room for it with letters of {}; "
+    throw UsageError(fmt::format("--figure: {} x {} pixels; at most {} to a side", size.width,
+      size.height, RasterCanvas::kMaxSide));
+  }
+  const int font = FontOf(size);
+  const auto hasRoom = [&](double aspect)
+  { return HasRoom(Divide(size, font, !Title.empty(), aspect, false)); };
+  if (Asked && !(hasRoom(kMaxBoxAspect) && hasRoom(1.0 / kMaxBoxAspect)))
+  {
+    throw UsageError(fmt::format("--figure: {} pixels have no room for it with letters of {}; "
                                  "choose a larger --size, or a smaller --font-size",
-      size.width, size.height, FontOf(size)));
+      size.height > 0 ? fmt::format("{} x {}", size.width, size.height)
+                      : std::to_string(size.width),
+      font));
   }
 }
 
-void FigureOptions::Draw(
-  Canvas& canvas, const ImageSize& figure, const FigureContent& content) const
+FigureLayout FigureOptions::LayOut(const ImageSize& size, const Shot& shot, bool turns) const
 {
-  const auto& [shot, appearance, frame, colors, bars, marks] = content;
-  const int font = FontOf(figure);
-  const Rgba ink = InkOn(colors.BackgroundColor());
-  if (!Title.empty())
+  const int font = FontOf(size);
+  const double aspect = AspectOfBox(shot);
+  if (Which == Axes::Coordinates && !turns && HasCoordinates(shot))
   {
-    canvas.Write(
-      Title, 0.5 * figure.width, figure.height - 0.5 * kTitle * font, TextAnchor::Centre, ink);
+    const FigureLayout layout = Divide(size, font, !Title.empty(), aspect, true);
+    if (HasRoom(layout))
+    {
+      return layout;
+    }
   }
-  FigureColumn column(canvas, figure.width - FigureColumn::kWidth * font + font, font, ink);
-  // From below: axes, scale, colours without a value, time. The bars use the remaining height.
-  double y = 3.5 * font;
-  column.DrawAxes(shot.view, y);
-  y += 4.0 * font;
-  if (const double unit = UnitOf(shot); unit > 0.0 && std::isfinite(unit))
+  return Divide(size, font, !Title.empty(), aspect, false);
+}
+
+std::vector<FigureBar> FigureOptions::BarsOf(const FigureContent& content) const
+{
+  const auto& [shot, appearance, frame, colors, hasBars, marks, bar] = content;
+  std::vector<FigureBar> bars;
+  if (bar)
   {
-    column.DrawScale(unit, y);
-    y += 2.5 * font;
+    bars.push_back(*bar);
   }
-  const FrameCounters& pixels = frame.counters;
+  const std::vector<ValueRange>& ranges = appearance.Ranges();
+  std::vector<std::size_t> shown; // the first layer of each bar
+  for (std::size_t k = 0; k < shot.scene.layers.size() && hasBars; ++k)
+  {
+    const auto isSame = [&](std::size_t other)
+    {
+      return ranges[other] == ranges[k] &&
+        shot.settings[other].colormap == shot.settings[k].colormap &&
+        NameOf(shot.scene.layers[other]) == NameOf(shot.scene.layers[k]);
+    };
+    if (!ranges[k] || std::ranges::any_of(shown, isSame))
+    {
+      continue;
+    }
+    shown.push_back(k);
+    std::vector<ValueRange> own(ranges.size());
+    for (std::size_t other = k; other < ranges.size(); ++other)
+    {
+      own[other] = ranges[other] && isSame(other) ? ranges[k] : std::nullopt;
+    }
+    const PixelsBeyond beyond = CountBeyond(frame, own, colors.Logarithm());
+    const std::string name =
+      !BarTitle.empty() && bars.empty() ? BarTitle : NameOf(shot.scene.layers[k]);
+    bars.push_back({ Unit.empty() ? name : name + " [" + Unit + "]", *ranges[k],
+      appearance.Maps()[k], colors.Logarithm() && (*ranges[k])[0] > 0.0,
+      { beyond.below > 0, beyond.above > 0 }, colors.Bands(), TickValues, TickCount });
+  }
+  return bars;
+}
+
+void FigureOptions::DrawLegend(FigureLegend& legend, const FigureContent& content) const
+{
+  const Shot& shot = content.shot;
+  if (Which != Axes::None && !shot.layout->hasCoordinates)
+  {
+    legend.AddDirections(shot.view);
+  }
+  const double unit = LengthOfPixel(shot);
+  if (!shot.layout->hasCoordinates && unit > 0.0 && std::isfinite(unit))
+  {
+    legend.AddScale(unit, LengthUnit);
+  }
+  const FrameCounters& pixels = content.frame.counters;
   if (pixels.unknown > 0)
   {
-    column.DrawMark(LayerColors().unknown, "unknown", y);
-    y += 1.6 * font;
+    legend.AddMark({ LayerColors().unknown, "unknown" });
   }
-  for (const ColorMark& mark : marks)
+  for (const ColorMark& mark : content.marks)
   {
-    column.DrawMark(mark.color, mark.text, y);
-    y += 1.6 * font;
+    legend.AddMark(mark);
   }
-  const std::vector<FigureBar> all = bars ? BarsOf(shot, appearance) : std::vector<FigureBar>();
-  if (pixels.nonFinite > 0 && !all.empty())
+  const std::vector<FigureBar> bars = BarsOf(content);
+  if (pixels.nonFinite > 0 && !bars.empty())
   {
     Rgba color{};
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    (*all.front().map)({ &nan, 1 }, color.data());
+    bars.front().map({ &nan, 1 }, color.data());
     color[3] = 255;
-    column.DrawMark(color, "not a number", y);
-    y += 1.6 * font;
+    legend.AddMark({ color, "not a number" });
   }
   if (!shot.input.times.empty())
   {
     const auto step = static_cast<std::size_t>(shot.input.step);
-    column.Write("t = " + Short(shot.input.times[step]), y);
-    y += 1.6 * font;
+    legend.AddText("t = " + Short(shot.input.times[step]));
   }
-  double top = frame.height - 0.5 * font;
-  const double share = (top - y) / std::max<std::size_t>(1, all.size());
-  for (const FigureBar& bar : all)
+  legend.AddBars(bars);
+}
+
+void FigureOptions::Draw(Canvas& canvas, const FigureContent& content) const
+{
+  const FigureLayout& layout = *content.shot.layout;
+  const Rgba ink = InkOn(content.colors.BackgroundColor());
+  if (!Title.empty())
   {
-    column.Write(bar.name, top - font);
-    const double height = std::min(share - 3.5 * font, 0.6 * figure.height);
-    column.DrawBar(bar, static_cast<int>(top - 2.5 * font),
-      std::max(font, static_cast<int>(height)), colors.Logarithm() && bar.range[0] > 0.0,
-      colors.Bands());
-    top -= share;
+    // The middle of the picture, or where the title ends within the figure.
+    const double half = 0.5 * canvas.WidthOf(Title) + 0.5 * layout.font;
+    const double middle = layout.corner[0] + 0.5 * layout.picture.width;
+    const double lowest = std::min(half, 0.5 * layout.size.width);
+    canvas.Write(Title, std::clamp(middle, lowest, layout.size.width - lowest),
+      layout.size.height - 0.5 * kTitle * layout.font, TextAnchor::Centre, ink);
   }
+  if (layout.hasCoordinates)
+  {
+    DrawCoordinates(canvas, layout, content.shot, LengthUnit, ink);
+  }
+  FigureLegend legend(canvas, layout, ink);
+  DrawLegend(legend, content);
+}
+
+nlohmann::ordered_json ToJson(const FigureLayout& layout)
+{
+  return { { "width", layout.size.width }, { "height", layout.size.height },
+    { "picture", layout.corner }, { "font", layout.font },
+    { "legend", layout.legendBelow ? "below" : "right" },
+    { "coordinates", layout.hasCoordinates } };
 }
 } // namespace pixelexact

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "Base/Options.h"
+#include "Picture/FigureLegend.h"
+#include "Scene/Shot.h"
 
 #include "Trace/Modules/ColorMapping.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -15,31 +19,22 @@ class Canvas;
 class ColorOptions;
 class ShotAppearance;
 struct Frame;
-struct Shot;
-
-/// A colour that does not stand for a value, and its meaning.
-struct ColorMark
-{
-  Rgba color;
-  std::string text;
-};
 
 /// The contents of a figure.
 struct FigureContent
 {
-  const Shot& shot;
+  const Shot& shot; ///< with a layout
   const ShotAppearance& appearance;
   const Frame& frame;
   const ColorOptions& colors;
-  bool bars = true;             ///< whether colours of maps are visible
+  bool hasBars = true;          ///< whether the colours of fields are visible
   std::vector<ColorMark> marks; ///< in addition to those of unknown pixels and NaN
+  std::optional<FigureBar> bar; ///< in place of those of fields
 };
 
-/// A text colour that contrasts with the background.
-Rgba InkOn(const Rgba& background);
-
-/// A picture with its legend: colour bars with ticks and the fields' names, a title, the time, the
-/// axes, a scale where the picture has a uniform one, and the colours of pixels without a value.
+/// A picture with its legend: colour bars with ticks and the fields' names, a title, the time,
+/// coordinates or the axes' directions, a scale where the picture has a uniform one, and the
+/// colours of pixels without a value.
 class FigureOptions
 {
 public:
@@ -50,19 +45,39 @@ public:
   void Ask() { Asked = true; }
   /// Throws UsageError where a figure of this size has no room for a picture.
   void Check(const ImageSize& size) const;
-  /// The size of the picture in a figure. The margins on its left and above belong to the figure.
-  [[nodiscard]] ImageSize PictureSize(const ImageSize& figure) const;
-
-  /// The height of letters in pixels.
-  [[nodiscard]] int FontOf(const ImageSize& figure) const;
+  /// The rectangles of a figure around a scene whose view has its final direction. `turns`: the
+  /// view turns, so that coordinates do not stay along the picture's sides. They are left out where
+  /// they have no room. Must be called after Check.
+  [[nodiscard]] FigureLayout LayOut(const ImageSize& size, const Shot& shot, bool turns) const;
 
   /// Draws the legend on a canvas of the figure's size that already contains the picture.
-  void Draw(Canvas& canvas, const ImageSize& figure, const FigureContent& content) const;
+  void Draw(Canvas& canvas, const FigureContent& content) const;
 
 private:
+  enum class Axes
+  {
+    Coordinates,
+    Directions,
+    None
+  };
+
+  [[nodiscard]] int FontOf(const ImageSize& figure) const;
+  [[nodiscard]] std::vector<FigureBar> BarsOf(const FigureContent& content) const;
+  void DrawLegend(FigureLegend& legend, const FigureContent& content) const;
+
   bool Asked = false;
   std::string Title;
+  std::string BarTitle;
+  std::string Unit;
+  std::string LengthUnit;
+  Axes Which = Axes::Coordinates;
+  std::optional<int> TickCount;
+  std::vector<double> TickValues;
   std::optional<double> FontSize;
   bool InPoints = false;
 };
+
+/// The member "figure" of a report: "width" and "height"; "picture", the picture's lower left
+/// corner; "font"; "legend", right or below; "coordinates", whether they are drawn.
+nlohmann::ordered_json ToJson(const FigureLayout& layout);
 } // namespace pixelexact

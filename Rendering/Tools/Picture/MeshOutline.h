@@ -27,6 +27,8 @@ class MeshOutline
 public:
   void AddTo(CLI::App& command);
   [[nodiscard]] bool IsAsked() const { return Kind != Of::Nothing; }
+  /// Converts lengths in points, as PixelLength::Resolve.
+  void ResolveLengths(const std::optional<double>& dpi) { Width.Resolve(dpi); }
   /// The buffers of centres that Draw reads.
   [[nodiscard]] Buffer Needs() const;
   /// Points that a camera must show for a complete outline.
@@ -36,7 +38,7 @@ public:
   /// The same lines in the picture's pixels. Throws as Draw.
   [[nodiscard]] std::vector<std::vector<CanvasPoint>> Paths(
     const Shot& shot, const Frame& frame) const;
-  [[nodiscard]] double LineWidth() const { return Width; }
+  [[nodiscard]] double LineWidth() const { return Width.Pixels(); }
   [[nodiscard]] Rgba LineColor() const;
 
 private:
@@ -48,7 +50,7 @@ private:
     Undeformed
   };
   Of Kind = Of::Nothing;
-  double Width = 0.0;
+  PixelLength Width;
   std::vector<double> Color{ 0.0, 0.0, 0.0 };
 };
 } // namespace pixelexact

@@ -145,20 +145,6 @@ private:
 
 } // namespace
 
-std::array<Vec3, 8> CornersOfBox(const Shot& shot)
-{
-  const Box3 box = BoxOf(*shot.input.model);
-  std::array<Vec3, 8> corners{};
-  for (int k = 0; k < 8; ++k)
-  {
-    for (int d = 0; d < 3; ++d)
-    {
-      corners[static_cast<std::size_t>(k)][d] = (k >> d & 1) != 0 ? box.upper[d] : box.lower[d];
-    }
-  }
-  return corners;
-}
-
 Scene BoundaryOf(const Shot& shot, bool undeformed)
 {
   if (undeformed && shot.input.undeformed == nullptr)

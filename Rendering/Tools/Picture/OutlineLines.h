@@ -16,9 +16,6 @@ namespace pixelexact
 struct Frame;
 struct Shot;
 
-/// The corners of the box around the mesh.
-std::array<Vec3, 8> CornersOfBox(const Shot& shot);
-
 /// A scene with the boundary of the mesh only or, where `undeformed`, of the mesh before --warp.
 /// Throws Error where there is none, and UsageError where nothing is deformed.
 Scene BoundaryOf(const Shot& shot, bool undeformed);

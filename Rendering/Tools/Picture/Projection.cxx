@@ -8,11 +8,16 @@
 
 namespace pixelexact
 {
+CameraAxes AxesOf(const CameraView& view)
+{
+  const Vec3 forward = glm::normalize(view.focalPoint - view.position);
+  const Vec3 right = glm::normalize(glm::cross(forward, view.viewUp));
+  return { forward, right, glm::cross(right, forward) };
+}
+
 Projection::Projection(const CameraView& view, int width, int height)
   : Eye(view.position)
-  , Forward(glm::normalize(view.focalPoint - view.position))
-  , Right(glm::normalize(glm::cross(Forward, view.viewUp)))
-  , Up(glm::cross(Right, Forward))
+  , Axes(AxesOf(view))
   , Parallel(view.parallel)
   , Slope(
       2.0 * (Parallel ? view.parallelScale : std::tan(0.5 * glm::radians(view.viewAngle))) / height)
@@ -23,14 +28,14 @@ Projection::Projection(const CameraView& view, int width, int height)
 std::optional<ProjectedPoint> Projection::Of(const Vec3& point) const
 {
   const Vec3 from = point - Eye;
-  const double forward = glm::dot(from, Forward);
+  const double forward = glm::dot(from, Axes.forward);
   if (!Parallel && !(forward > 0.0))
   {
     return std::nullopt;
   }
   const double pixel = PixelAt(forward);
-  return ProjectedPoint{ { Middle[0] + glm::dot(from, Right) / pixel,
-                           Middle[1] + glm::dot(from, Up) / pixel },
+  return ProjectedPoint{ { Middle[0] + glm::dot(from, Axes.right) / pixel,
+                           Middle[1] + glm::dot(from, Axes.up) / pixel },
     Parallel ? forward : glm::length(from) };
 }
 
@@ -38,7 +43,7 @@ Vec3 Projection::AsSeenFrom(const CameraView& view, const Vec3& point) const
 {
   const Projection other(view, 2, 2);
   const Vec3 from = point - Eye;
-  return other.Eye + glm::dot(from, Right) * other.Right + glm::dot(from, Up) * other.Up +
-    glm::dot(from, Forward) * other.Forward;
+  return other.Eye + glm::dot(from, Axes.right) * other.Axes.right +
+    glm::dot(from, Axes.up) * other.Axes.up + glm::dot(from, Axes.forward) * other.Axes.forward;
 }
 } // namespace pixelexact

@@ -17,6 +17,16 @@ struct ProjectedPoint
   double depth; ///< along the ray there, as of Buffer::Depth
 };
 
+/// The unit vectors of a view: away from the viewer, to the right and up in the picture.
+struct CameraAxes
+{
+  Vec3 forward;
+  Vec3 right;
+  Vec3 up;
+};
+
+CameraAxes AxesOf(const CameraView& view);
+
 /// Projects points to pixels: the inverse of a Camera's rays.
 class Projection
 {
@@ -33,9 +43,7 @@ public:
 
 private:
   Vec3 Eye;
-  Vec3 Forward;
-  Vec3 Right;
-  Vec3 Up;
+  CameraAxes Axes;
   bool Parallel;
   double Slope; ///< a pixel's side, of a perspective view at distance 1
   CanvasPoint Middle;

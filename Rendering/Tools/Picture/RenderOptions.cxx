@@ -92,7 +92,18 @@ void RenderOptions::Check(const std::string& picture)
   {
     shot.CheckRangeOfOne();
   }
+  if (figure.IsAsked() && !IsGiven(*shot.command, "--size"))
+  {
+    shot.size.height = 0; // which the layout determines
+  }
   shot.size = AtDpi(shot.size, Dpi().value_or(kDefaultDpi));
+  const auto inPrint = shot.size.inches ? Dpi() : std::nullopt;
+  if (shot.edgeWidth)
+  {
+    shot.edgeWidth->Resolve(inPrint);
+  }
+  contours.ResolveLengths(inPrint);
+  outline.ResolveLengths(inPrint);
   buffers.Check();
   font.Check();
   const std::vector<LayerSettings> layers = shot.MakeLayers();
@@ -104,10 +115,6 @@ void RenderOptions::Check(const std::string& picture)
   contours.Check(layers);
   if (figure.IsAsked())
   {
-    if (debug.IsInPlace())
-    {
-      throw UsageError("--figure has no bar for the colours of --show and --owners; leave it out");
-    }
     figure.Check(shot.size);
     // Steps of pixels are not what a reader wants; where colours are a legend's they stay pure.
     if (!IsGiven(*shot.command, "--samples") && !debug.NeedsPureColors())
@@ -122,7 +129,8 @@ ShotOptions RenderOptions::OfPicture() const
   ShotOptions asked = shot;
   if (figure.IsAsked())
   {
-    asked.size = figure.PictureSize(asked.size);
+    asked.layout = [this](const Shot& of)
+    { return figure.LayOut(shot.size, of, animation.Turns()); };
   }
   if (outline.IsAsked())
   {

@@ -3,6 +3,7 @@
 
 #include "Base/Report.h"
 #include "Picture/ContourReport.h"
+#include "Picture/Figure.h"
 #include "Scene/DebugOptions.h"
 #include "Scene/Shot.h"
 #include "Scene/ShotAppearance.h"
@@ -140,6 +141,10 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
     { "color_range", debug.IsInPlace() ? nlohmann::ordered_json() : RangeToJson(appearance, 0) },
     { "beyond_range", { { "below", found.beyond.below }, { "above", found.beyond.above } } },
     { "camera", ToJson(shot.view) } });
+  if (shot.layout)
+  {
+    summary["figure"] = ToJson(*shot.layout);
+  }
   if (found.beyond.noLogarithm > 0)
   {
     summary["no_logarithm"] = { { "pixels", found.beyond.noLogarithm },

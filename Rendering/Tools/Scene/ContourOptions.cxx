@@ -143,7 +143,7 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
     throw UsageError("--contour-effort: --certifier interval spends what --subdivisions say; leave "
                      "one of them out");
   }
-  if (LabelHeight && *LabelHeight != std::floor(*LabelHeight))
+  if (LabelHeight && LabelHeight->Pixels() != std::floor(LabelHeight->Pixels()))
   {
     throw UsageError("--contour-labels: a height is a whole number of pixels");
   }
@@ -167,10 +167,20 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
   }
 }
 
+void ContourOptions::ResolveLengths(const std::optional<double>& dpi)
+{
+  Width.Resolve(dpi);
+  if (LabelHeight && LabelHeight->inPoints)
+  {
+    LabelHeight->Resolve(dpi);
+    LabelHeight->value = std::round(LabelHeight->value);
+  }
+}
+
 ContourStyle ContourOptions::Style() const
 {
   ContourStyle style;
-  style.width = Width;
+  style.width = Width.Pixels();
   style.showUndecided = ShowUndecided;
   style.undecided = ToRgba(UndecidedColor.data());
   style.keepBeneath = LabelHeight.has_value();
@@ -190,7 +200,7 @@ ContourMethod ContourOptions::ProofMethod() const
 
 std::optional<int> ContourOptions::Labels() const
 {
-  return LabelHeight ? std::optional(static_cast<int>(*LabelHeight)) : std::nullopt;
+  return LabelHeight ? std::optional(static_cast<int>(LabelHeight->Pixels())) : std::nullopt;
 }
 
 ContourAppearance ContourOptions::MakeAppearance(const Rgba& background) const

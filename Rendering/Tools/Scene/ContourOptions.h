@@ -33,6 +33,9 @@ public:
   /// no effect.
   void Check(const std::vector<LayerSettings>& layers) const;
 
+  /// Converts lengths in points, as PixelLength::Resolve. The height of labels is rounded.
+  void ResolveLengths(const std::optional<double>& dpi);
+
   /// Whether contours are requested.
   [[nodiscard]] bool AreGiven() const { return Choice.has_value(); }
   /// The contours of layers without their own.
@@ -55,7 +58,7 @@ private:
 
   const CLI::App* Command = nullptr;
   std::optional<ContourRule> Choice;
-  double Width = 0.0;
+  PixelLength Width;
   ContourMethod Method;
   bool Interval = false; ///< --certifier interval
   double Effort = 0.0;
@@ -64,6 +67,6 @@ private:
   bool ShowUndecided = false;
   std::vector<double> UndecidedColor{ 0.0, 0.5, 0.5 };
   bool only_ = false;
-  std::optional<double> LabelHeight;
+  std::optional<PixelLength> LabelHeight;
 };
 } // namespace pixelexact

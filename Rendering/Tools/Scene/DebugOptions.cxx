@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -191,6 +193,31 @@ void DebugOptions::Count(const Frame& frame, const UndecidedColors* undecided)
   {
     CountEnclosures(frame);
   }
+}
+
+std::vector<ColorMeaning> DebugOptions::SeenLegend(const Frame& frame) const
+{
+  // The last two colours of jumps are the ends of a bar.
+  const std::span<const ColorMeaning> legend = Owners ? CoverageColors::Legend()
+    : Show == "validity"                              ? ValidityColors::Legend()
+    : Show == "jumps"                                 ? JumpColors::Legend().first(2)
+                                                      : std::span<const ColorMeaning>();
+  std::vector<ColorMeaning> seen;
+  const std::vector<std::uint8_t>& image = frame.Image();
+  std::ranges::copy_if(legend, std::back_inserter(seen),
+    [&image](const ColorMeaning& entry)
+    {
+      for (std::size_t i = 0; i < image.size(); i += 4)
+      {
+        if (std::equal(entry.color.begin(), entry.color.end(),
+              image.begin() + static_cast<std::ptrdiff_t>(i)))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+  return seen;
 }
 
 void DebugOptions::CountValidity(const Frame& frame)

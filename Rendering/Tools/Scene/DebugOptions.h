@@ -70,6 +70,12 @@ public:
   /// The number of pixels in the counted frame whose colour is not proven.
   [[nodiscard]] std::int64_t UndecidedPixels() const { return ColorUndecided; }
 
+  /// The entries of the legend whose colours a painted frame shows, but those of a colour bar.
+  /// Empty where the colours are those of the field.
+  [[nodiscard]] std::vector<ColorMeaning> SeenLegend(const Frame& frame) const;
+  /// The largest jump of --show jumps, at the end of its colours; 0: there is none.
+  [[nodiscard]] double LargestJump() const { return Jumps ? Jumps->Largest() : 0.0; }
+
   /// Adds the results. Must be called after Count.
   void AddTo(Table& table) const;
   void AddTo(nlohmann::ordered_json& summary) const;

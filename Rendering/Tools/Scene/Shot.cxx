@@ -241,8 +241,8 @@ Appearance SharedAppearance(const ShotOptions& options)
   if (options.edgeWidth)
   {
     appearance.edges = options.edgesByKind
-      ? EdgeStyle::ByKind(*options.edgeWidth)
-      : EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
+      ? EdgeStyle::ByKind(options.edgeWidth->Pixels())
+      : EdgeStyle::Plain(options.edgeWidth->Pixels(), ToRgba(options.edgeColor.data()));
   }
   if (options.outlines)
   {
@@ -322,19 +322,18 @@ Shot MakeShot(
   return shot;
 }
 
-std::array<Vec3, 8> CornersOf(const Box3& box)
+/// Throws UsageError for a width alone, whose height a figure's layout determines.
+void CheckHeight(const ShotOptions& options)
 {
-  std::array<Vec3, 8> corners{};
-  for (std::size_t k = 0; k < corners.size(); ++k)
+  if (options.size.height == 0 && !options.layout)
   {
-    corners[k] = { (k & 1U) != 0 ? box.upper.x : box.lower.x,
-      (k & 2U) != 0 ? box.upper.y : box.lower.y, (k & 4U) != 0 ? box.upper.z : box.lower.z };
+    throw UsageError("--size: a width alone is that of a --figure; give WIDTHxHEIGHT");
   }
-  return corners;
 }
 
 Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedModel* loaded)
 {
+  CheckHeight(options);
   options.camera.Check();
   options.colors.Check();
   Shot shot = MakeShot(options, stopwatch, nullptr, loaded);
@@ -343,8 +342,15 @@ Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedMod
   // A surface that is not flat has normals in many directions. A mesh that is a surface may lie in
   // a plane, which is seen from its edge only by chance.
   const Vec3 oblique = shot.input.model->IsShell() ? Vec3(1.0, 0.7, 0.55) : Vec3(1.0);
-  const Vec3 normal = first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : oblique;
-  shot.view = options.camera.Make(box, normal, shot.size);
+  const Vec3 towards =
+    first->IsFlat() ? SideOfPlane(first->Normal({ 0.5 * (box.lower + box.upper) })) : oblique;
+  if (options.layout)
+  {
+    shot.view = options.camera.Make(box, towards, { 1, 1, {} });
+    shot.layout = options.layout(shot);
+    shot.size = shot.layout->picture;
+  }
+  shot.view = options.camera.Make(box, towards, shot.size);
   if (!options.camera.IsPlaced())
   {
     shot.view = FitView(shot.view, shot.size.width, shot.size.height, options.camera.HasScale(),
@@ -354,7 +360,7 @@ Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedMod
         std::vector<Vec3> points = SeenPoints(shot.scene, view, shot.size);
         if (shot.volume)
         {
-          std::ranges::copy(CornersOf(box), std::back_inserter(points));
+          std::ranges::copy(CornersOfBox(shot), std::back_inserter(points));
         }
         if (options.alsoSeen)
         {
@@ -367,6 +373,18 @@ Shot PrepareWithView(const ShotOptions& options, Stopwatch& stopwatch, LoadedMod
   return shot;
 }
 } // namespace
+
+std::array<Vec3, 8> CornersOfBox(const Shot& shot)
+{
+  const Box3 box = BoxOf(*shot.input.model);
+  std::array<Vec3, 8> corners{};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    corners[k] = { (k & 1U) != 0 ? box.upper.x : box.lower.x,
+      (k & 2U) != 0 ? box.upper.y : box.lower.y, (k & 4U) != 0 ? box.upper.z : box.lower.z };
+  }
+  return corners;
+}
 
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
 {
@@ -389,6 +407,8 @@ Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopw
   }
   Shot shot = MakeShot(asked, stopwatch, &before, nullptr);
   shot.view = before.view;
+  shot.size = before.size;
+  shot.layout = before.layout;
   shot.chosen = before.chosen;
   return shot;
 }

@@ -34,6 +34,19 @@ enum class Lit
   Off
 };
 
+/// The rectangles of a figure, in pixels.
+struct FigureLayout
+{
+  ImageSize size; ///< of the figure
+  ImageSize picture;
+  std::array<int, 2> corner{}; ///< the picture's lower left one, from that of the figure
+  int font = 0;                ///< height of letters
+  bool legendBelow = false;    ///< the legend is below the picture, else on its right
+  /// Coordinates stand along the picture's left and lower sides; else the axes' directions are
+  /// part of the legend.
+  bool hasCoordinates = false;
+};
+
 /// Options of surfaces, colours and camera that render and bench share.
 struct ShotOptions
 {
@@ -49,8 +62,8 @@ struct ShotOptions
   Precision precision = Precision::Double;
   Lit lights = Lit::Curved;
   int samples = 1;
-  std::optional<double> edgeWidth; ///< pixels; none: no edges
-  std::vector<double> edgeColor{ 0.0, 0.0, 0.0 };
+  std::optional<PixelLength> edgeWidth; ///< none: no edges
+  std::vector<double> edgeColor{ 0.4, 0.4, 0.4 };
   bool edgesByKind = false;
   bool outlines = false;
   /// Planes: a point and a normal, which points to the side that is kept.
@@ -60,6 +73,9 @@ struct ShotOptions
   /// Points that a camera which was not placed must see beside the cut, with the view so far;
   /// empty: none.
   std::function<std::vector<Vec3>(const Shot&)> alsoSeen;
+  /// The layout of a figure around the picture of a scene, whose view has the direction of the
+  /// final one; empty: the picture has `size`.
+  std::function<FigureLayout(const Shot&)> layout;
 
   void AddTo(CLI::App& added);
 
@@ -81,7 +97,8 @@ struct Shot
   Scene scene;
   std::vector<LayerSettings> settings; ///< by layer
   CameraView view;
-  ImageSize size;
+  ImageSize size;                     ///< of the picture
+  std::optional<FigureLayout> layout; ///< of the figure around it, if there is one
   Lit lights = Lit::Curved;
   /// Samples, edges and outlines; ViewOf adds what depends on layers and camera.
   Appearance appearance;
@@ -96,6 +113,10 @@ struct Shot
 
 /// Points that a small picture of a scene shows.
 std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size);
+
+/// The corners of the box around the mesh; bit d of a corner's number is set at the upper end along
+/// axis d.
+std::array<Vec3, 8> CornersOfBox(const Shot& shot);
 
 /// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);

@@ -18,6 +18,10 @@ namespace pixelexact
 {
 namespace
 {
+/// Parts that face the viewer, where the light is, have exactly the colours of the map, and parts
+/// that are seen from their edge 0.4 of them.
+constexpr Material kMaterial{ .ambient = 0.4, .diffuse = 0.6 };
+
 /// Default colour of layers without a field.
 constexpr std::array<double, 3> kNoField{ 0.6, 0.7, 0.8 };
 
@@ -128,7 +132,7 @@ LayerAppearance AppearanceOfLayer(
   appearance.opacity = settings.opacity;
   if (IsLit(shot, layer))
   {
-    appearance.material.emplace();
+    appearance.material = kMaterial;
   }
   appearance.contours = ContoursOf(contours, settings);
   return appearance;

@@ -3,6 +3,7 @@
 
 #include "Base/Command.h"
 #include "Base/Numbers.h"
+#include "Base/Settings.h"
 
 #include <algorithm>
 #include <array>
@@ -36,8 +37,7 @@ void DifferenceOptions::Check(const CLI::App& command, const ImageSize& size) co
   constexpr std::array<std::string_view, 10> kOfLinearPictures{ "--resolutions", "--grids",
     "--levels", "--truncate-orders", "--repeat", "--bins", "--share", "--timed", "--target-error",
     "--target-time" };
-  constexpr std::array<std::string_view, 4> kOfFigures{ "--figure", "--title", "--font-size",
-    "--font" };
+  const std::string_view figures = FindSetting("compare", "--figure")->group;
   for (const std::string& name : OptionsGiven(command))
   {
     const auto is = [&name](const auto& names)
@@ -51,7 +51,7 @@ void DifferenceOptions::Check(const CLI::App& command, const ImageSize& size) co
     {
       throw UsageError(name + ": differences have no proven contours; leave it out, or --with");
     }
-    if (!IsAsked() && is(kOfFigures))
+    if (!IsAsked() && FindSetting("compare", name)->group == figures)
     {
       throw UsageError(name + " has no effect on a comparison without --with; leave it out");
     }

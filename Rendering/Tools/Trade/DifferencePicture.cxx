@@ -76,14 +76,14 @@ DifferencePicture::DifferencePicture(const ShotOptions& options, const Shot& sho
   PaintSides(difference);
 }
 
-std::string DifferencePicture::Encode(const DifferenceOptions& difference, const ImageSize& size,
-  const PictureTexts& texts, const std::string& file) const
+std::string DifferencePicture::Encode(
+  const DifferenceOptions& difference, const PictureTexts& texts, const std::string& file) const
 {
   const ColorOptions& colors = Options.colors;
   const ShownAs as(Of, Options, Other);
   const ShotAppearance appearance(colors, nullptr, as.shown, Shown.frame);
   const FigureOptions& figure = difference.Figure();
-  FigureContent content{ as.shown, appearance, Shown.frame, colors, true, {} };
+  FigureContent content{ as.shown, appearance, Shown.frame, colors, true, {}, {} };
   const auto mark = [&](DifferenceSide side, const Rgba& color, const char* text)
   {
     if (std::ranges::find(Shown.side, static_cast<std::uint8_t>(side)) != Shown.side.end())
@@ -94,19 +94,25 @@ std::string DifferencePicture::Encode(const DifferenceOptions& difference, const
   mark(DifferenceSide::Second, kOnlySecond, "only second");
   mark(DifferenceSide::First, kOnlyFirst, "only first");
   const PictureFormat format = FormatOf("--output", file);
+  const FigureLayout& layout = *Of.layout;
+  const auto draw = [&](Canvas& canvas)
+  {
+    canvas.MoveOrigin(layout.corner[0], layout.corner[1]);
+    canvas.Place(colors.Flatten(Shown.frame));
+    canvas.MoveOrigin(-layout.corner[0], -layout.corner[1]);
+    figure.Draw(canvas, content);
+  };
   if (IsVector(format))
   {
-    VectorCanvas canvas(format, size.width, size.height, kDefaultDpi, colors.BackgroundColor(),
-      figure.FontOf(size), difference.Font().Choice());
-    canvas.Place(colors.Flatten(Shown.frame));
-    figure.Draw(canvas, size, content);
+    VectorCanvas canvas(format, layout.size.width, layout.size.height, kDefaultDpi,
+      colors.BackgroundColor(), layout.font, difference.Font().Choice());
+    draw(canvas);
     return canvas.Finish(texts, file);
   }
-  RasterCanvas canvas(size.width, size.height, colors.BackgroundColor(), figure.FontOf(size),
+  RasterCanvas canvas(layout.size.width, layout.size.height, colors.BackgroundColor(), layout.font,
     difference.Font().Choice());
-  canvas.Place(colors.Flatten(Shown.frame));
-  figure.Draw(canvas, size, content);
-  const auto dpi = size.inches ? std::optional(kDefaultDpi) : std::nullopt;
+  draw(canvas);
+  const auto dpi = layout.size.inches ? std::optional(kDefaultDpi) : std::nullopt;
   return EncodeImage(canvas.Picture(), format, { dpi, texts }, file);
 }
 

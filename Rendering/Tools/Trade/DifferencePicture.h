@@ -30,8 +30,8 @@ public:
   [[nodiscard]] const std::array<double, 2>& Range() const { return range_; }
 
   /// The file's bytes, in the format of its suffix. Throws Error.
-  [[nodiscard]] std::string Encode(const DifferenceOptions& difference, const ImageSize& size,
-    const PictureTexts& texts, const std::string& file) const;
+  [[nodiscard]] std::string Encode(
+    const DifferenceOptions& difference, const PictureTexts& texts, const std::string& file) const;
 
 private:
   const ShotOptions& Options;

@@ -162,6 +162,17 @@ Rgba JumpColors::ColorOf(double jump) const
   return color;
 }
 
+ColorMap JumpColors::Map() const
+{
+  return [own = *this](std::span<const double> jumps, std::uint8_t* rgba)
+  {
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+    {
+      std::ranges::copy(own.ColorOf(jumps[i]), rgba + 4 * i);
+    }
+  };
+}
+
 void JumpColors::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const
 {
   Rgba color{};

@@ -59,6 +59,9 @@ public:
   [[nodiscard]] Buffer Needs() const override;
   void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
 
+  /// The colours of jumps from 0 to the largest.
+  [[nodiscard]] ColorMap Map() const;
+
 private:
   [[nodiscard]] Rgba ColorOf(double jump) const;
 

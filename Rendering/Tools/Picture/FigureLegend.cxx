@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture/FigureLegend.h"
+
+#include "Base/Report.h"
+#include "Picture/Projection.h"
+#include "Scene/Shot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pixelexact
+{
+namespace
+{
+// Lengths in units of the font's size.
+constexpr double kRow = 1.6;
+constexpr double kRowOfStrip = 1.5;
+constexpr double kTopOfStrip = 6.0;
+constexpr std::size_t kRowsOfStrip = 4;
+constexpr double kBarWidth = 1.2;
+constexpr double kArrow = 1.0;
+
+double ValueAt(const FigureBar& bar, double part)
+{
+  const double value = bar.logarithm ? bar.range[0] * std::pow(bar.range[1] / bar.range[0], part)
+                                     : std::lerp(bar.range[0], bar.range[1], part);
+  return std::clamp(value, bar.range[0], bar.range[1]);
+}
+
+double PartOf(const FigureBar& bar, double value)
+{
+  if (!(bar.range[1] > bar.range[0]))
+  {
+    return 0.5;
+  }
+  return bar.logarithm ? std::log(value / bar.range[0]) / std::log(bar.range[1] / bar.range[0])
+                       : (value - bar.range[0]) / (bar.range[1] - bar.range[0]);
+}
+
+std::vector<Tick> TicksOf(const FigureBar& bar, int most)
+{
+  if (!bar.ticks.empty())
+  {
+    std::vector<double> within;
+    std::ranges::copy_if(bar.ticks, std::back_inserter(within),
+      [&bar](double value) { return value >= bar.range[0] && value <= bar.range[1]; });
+    return TicksAt(within);
+  }
+  const int count = bar.tickCount.value_or(most);
+  return bar.bands ? TicksOfBands(bar.range, bar.logarithm, *bar.bands, count)
+                   : TicksOfBar(bar.range, bar.logarithm, count);
+}
+} // namespace
+
+FigureLegend::FigureLegend(Canvas& canvas, const FigureLayout& layout, const Rgba& ink)
+  : To(canvas)
+  , Layout(layout)
+  , Ink(ink)
+  , Font(layout.font)
+  , Pen(std::max(1.0, layout.font / 20.0))
+  , Taken(layout.legendBelow ? layout.size.width - 0.5 * layout.font : 0.0)
+{
+}
+
+CanvasPoint FigureLegend::NextRows(std::size_t rows)
+{
+  if (!Layout.legendBelow)
+  {
+    Taken = std::max(Taken, 0.6 * Font);
+    const double top = Taken + (static_cast<double>(rows) - 0.5) * kRow * Font;
+    Taken += static_cast<double>(rows) * kRow * Font;
+    return { static_cast<double>(Layout.size.width - (kColumn - 1) * Font), top };
+  }
+  if (Rows == 0 || Rows + rows > kRowsOfStrip)
+  {
+    Taken -= kColumn * Font;
+    Rows = 0;
+  }
+  const CanvasPoint at{ Taken + 0.5 * Font,
+    (kTopOfStrip - kRowOfStrip * static_cast<double>(Rows)) * Font };
+  Rows += rows;
+  return at;
+}
+
+std::vector<std::string> FigureLegend::Wrapped(const std::string& text, double room)
+{
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    std::string longer = lines.back();
+    longer.append(longer.empty() ? "" : " ").append(word);
+    if (!lines.back().empty() && To.WidthOf(longer) > room)
+    {
+      lines.push_back(std::move(word));
+    }
+    else
+    {
+      lines.back() = std::move(longer);
+    }
+  }
+  return lines;
+}
+
+void FigureLegend::Write(const std::string& text, const CanvasPoint& at, double room)
+{
+  std::string shown = ValidUtf8(text);
+  while (shown.size() > 3 && To.WidthOf(shown) > room)
+  {
+    // A letter may have several bytes, whose further ones begin with the bits 10.
+    std::size_t end = shown.size() - (shown.ends_with("...") ? 4 : 1);
+    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U)
+    {
+      --end;
+    }
+    shown.replace(end, std::string::npos, "...");
+  }
+  To.Write(shown, at[0], at[1], TextAnchor::Left, Ink);
+}
+
+void FigureLegend::AddMark(const ColorMark& mark)
+{
+  const double room = (kColumn - 2.5) * Font;
+  const std::vector<std::string> lines = Wrapped(mark.text, room);
+  const CanvasPoint at = NextRows(lines.size());
+  const int x = static_cast<int>(at[0]);
+  const int y = static_cast<int>(at[1]) - Font / 2;
+  To.Fill(x, y, Font, Font, mark.color);
+  To.Frame(x, y, Font, Font, Ink);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    const double row = (Layout.legendBelow ? kRowOfStrip : kRow) * static_cast<double>(k);
+    Write(lines[k], { at[0] + 1.5 * Font, at[1] - row * Font }, room);
+  }
+}
+
+void FigureLegend::AddText(const std::string& text)
+{
+  Write(text, NextRows(1), (kColumn - 1.0) * Font);
+}
+
+void FigureLegend::AddDirections(const CameraView& view)
+{
+  const auto [forward, right, up] = AxesOf(view);
+  const double length = 2.2 * Font;
+  CanvasPoint centre{ Layout.size.width - (kColumn - 4.0) * Font, 3.5 * Font };
+  if (Layout.legendBelow)
+  {
+    centre = { Taken - 3.0 * Font, 3.5 * Font };
+    Taken -= 6.5 * Font;
+    Rows = 0;
+  }
+  else
+  {
+    Taken += 7.0 * Font;
+  }
+  constexpr std::array<Rgba, 3> kColors{ Rgba{ 200, 40, 40, 255 }, Rgba{ 30, 140, 50, 255 },
+    Rgba{ 50, 80, 220, 255 } };
+  std::array<int, 3> order{ 0, 1, 2 };
+  std::ranges::sort(order, [&axis = forward](int a, int b) { return axis[a] > axis[b]; });
+  for (const int d : order)
+  {
+    const Rgba& color = kColors[static_cast<std::size_t>(d)];
+    const double across = length * right[d];
+    const double along = length * up[d];
+    To.Line(centre, { centre[0] + across, centre[1] + along }, std::max(1.5, Font / 9.0), color);
+    // An axis that points at the viewer has no end to be named.
+    if (const double seen = std::hypot(across, along); seen > 0.15 * length)
+    {
+      const double further = 1.0 + 0.6 * Font / seen;
+      To.Write(std::string(1, "xyz"[d]), centre[0] + further * across, centre[1] + further * along,
+        TextAnchor::Centre, color);
+    }
+  }
+}
+
+void FigureLegend::AddScale(double unit, const std::string& name)
+{
+  const double most = 7.0 * Font;
+  const double power = std::pow(10.0, std::floor(std::log10(most * unit)));
+  const double length = power *
+    (most * unit >= 5.0 * power      ? 5.0
+        : most * unit >= 2.0 * power ? 2.0
+                                     : 1.0);
+  double left = Layout.size.width - (kColumn - 1.0) * Font;
+  double y = Taken + 0.7 * Font;
+  if (Layout.legendBelow)
+  {
+    Taken -= 9.0 * Font;
+    Rows = 0;
+    left = Taken;
+    y = 3.0 * Font;
+  }
+  else
+  {
+    Taken += 2.6 * Font;
+  }
+  const double end = left + length / unit;
+  To.Line(CanvasPoint{ left, y }, { end, y }, std::max(1.5, Font / 9.0), Ink);
+  for (const double x : { left, end })
+  {
+    To.Line(CanvasPoint{ x, y - 0.3 * Font }, { x, y + 0.3 * Font }, Pen, Ink);
+  }
+  To.Write(Short(length) + (name.empty() ? "" : " " + name), 0.5 * (left + end), y + 0.9 * Font,
+    TextAnchor::Centre, Ink);
+}
+
+void FigureLegend::AddBars(const std::vector<FigureBar>& bars)
+{
+  const auto count = static_cast<double>(std::max<std::size_t>(1, bars.size()));
+  if (Layout.legendBelow)
+  {
+    const double first = Layout.corner[0];
+    const double share = (Taken - first) / count;
+    for (std::size_t k = 0; k < bars.size(); ++k)
+    {
+      const double left = first + static_cast<double>(k) * share + 0.5 * Font;
+      const double width = share - 3.0 * Font;
+      Write(bars[k].name, { left, (kTopOfStrip - 0.6) * Font }, width);
+      DrawBar(bars[k],
+        { static_cast<int>(left), 3 * Font, std::max(Font, static_cast<int>(width)),
+          static_cast<int>(kBarWidth * Font) },
+        false);
+    }
+    return;
+  }
+  const int left = Layout.size.width - (kColumn - 1) * Font;
+  double top = Layout.corner[1] + Layout.picture.height - 0.3 * Font;
+  const double share = (top - Taken) / count;
+  for (const FigureBar& bar : bars)
+  {
+    Write(bar.name, { static_cast<double>(left), top - 0.7 * Font }, (kColumn - 1.2) * Font);
+    const int height =
+      std::max(Font, static_cast<int>(std::min(share - 3.0 * Font, 0.6 * Layout.size.height)));
+    DrawBar(bar,
+      { left, static_cast<int>(top - 2.0 * Font) - height, static_cast<int>(kBarWidth * Font),
+        height },
+      true);
+    top -= share;
+  }
+}
+
+void FigureLegend::DrawBar(const FigureBar& bar, Box box, bool isUpright)
+{
+  // Arrows take their room from the bar.
+  int& length = isUpright ? box.height : box.width;
+  int& begin = isUpright ? box.y : box.x;
+  const int arrow = static_cast<int>(kArrow * Font);
+  length -= (bar.beyond[0] ? arrow : 0) + (bar.beyond[1] ? arrow : 0);
+  begin += bar.beyond[0] ? arrow : 0;
+  length = std::max(length, 1);
+  DrawColors(bar, box, isUpright);
+  To.Frame(box.x, box.y, box.width, box.height, Ink);
+  for (const bool isUpper : { false, true })
+  {
+    if (bar.beyond[isUpper ? 1 : 0])
+    {
+      DrawArrow(bar, box, isUpright, isUpper);
+    }
+  }
+  DrawTicks(bar, box, isUpright);
+}
+
+void FigureLegend::DrawColors(const FigureBar& bar, const Box& box, bool isUpright)
+{
+  const int length = isUpright ? box.height : box.width;
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(length));
+  for (int step = 0; step < length; ++step)
+  {
+    values.push_back(ValueAt(bar, (step + 0.5) / length));
+  }
+  std::vector<std::uint8_t> colors(4 * values.size());
+  bar.map(values, colors.data());
+  for (int step = 0; step < length; ++step)
+  {
+    const std::uint8_t* from = &colors[4 * static_cast<std::size_t>(step)];
+    const Rgba color{ from[0], from[1], from[2], 255 };
+    // Extends to the next step, because viewers of PDF let the background through between them.
+    const int thickness = std::min(2, length - step);
+    if (isUpright)
+    {
+      To.Fill(box.x, box.y + step, box.width, thickness, color);
+    }
+    else
+    {
+      To.Fill(box.x + step, box.y, thickness, box.height, color);
+    }
+  }
+}
+
+void FigureLegend::DrawArrow(const FigureBar& bar, const Box& box, bool isUpright, bool isUpper)
+{
+  const double value = bar.range[isUpper ? 1 : 0];
+  Rgba color{};
+  bar.map({ &value, 1 }, color.data());
+  color[3] = 255;
+  const double length = isUpright ? box.height : box.width;
+  const double width = isUpright ? box.width : box.height;
+  const double base = isUpper ? length + 0.5 : -0.5;
+  const double tip = base + (isUpper ? kArrow : -kArrow) * Font;
+  std::array<CanvasPoint, 4> points{ CanvasPoint{ base, -0.5 }, { base, width + 0.5 },
+    { tip, 0.5 * width }, { base, -0.5 } };
+  for (CanvasPoint& point : points)
+  {
+    point = isUpright ? CanvasPoint{ box.x + point[1], box.y + point[0] }
+                      : CanvasPoint{ box.x + point[0], box.y + point[1] };
+  }
+  To.FillPolygon(points, color);
+  To.Line(points, 1.0, Ink);
+}
+
+void FigureLegend::DrawTicks(const FigureBar& bar, const Box& box, bool isUpright)
+{
+  const int length = isUpright ? box.height : box.width;
+  const int room = isUpright ? 2 * Font : 5 * Font;
+  for (const Tick& tick : TicksOf(bar, std::max(2, length / room)))
+  {
+    // A line in the middle of a row of pixels is sharp.
+    const double at = std::floor(std::min(PartOf(bar, tick.value) * length, length - 0.5)) + 0.5;
+    if (isUpright)
+    {
+      const double x = box.x + box.width;
+      const double y = box.y + at;
+      To.Line(CanvasPoint{ x + 1.0, y }, { x + 0.4 * Font, y }, Pen, Ink);
+      To.Write(tick.text, x + 0.7 * Font, y, TextAnchor::Left, Ink);
+    }
+    else
+    {
+      const double x = box.x + at;
+      To.Line(CanvasPoint{ x, box.y - 1.0 }, { x, box.y - 0.4 * Font }, Pen, Ink);
+      To.Write(tick.text, x, box.y - 1.1 * Font, TextAnchor::Centre, Ink);
+    }
+  }
+}
+} // namespace pixelexact
