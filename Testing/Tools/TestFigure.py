@@ -153,6 +153,17 @@ class Figure(ToolTest):
         # Minus signs are those of print.
         self.assertIn("\N{MINUS SIGN}1.5", text)
         self.assertNotIn("-1", text)
+        # VTK's files may state a unit.
+        stated = self.folder / "unit.vtu"
+        label = '<InformationKey name="UNITS_LABEL" location="vtkDataArray">kg/m³</InformationKey></DataArray>'
+        grid = self.cube.read_text(encoding="utf-8")
+        stated.write_text(grid.replace("</DataArray>", label, 1), encoding="utf-8")
+        first = self.summary("info", stated)["fields"][0]["name"]
+        for words, unit in [([], "kg/m³"), (["--unit", "g/l"], "g/l")]:
+            self.succeeds("render", stated, "--field", first, "--plane", "z", "--figure", "-o", pdf, *words)
+            text = subprocess.run(["pdftotext", pdf, "-"], stdout=subprocess.PIPE, check=True, text=True).stdout
+            self.assertIn(f"{first} [{unit}]", text)
+            self.assertIn("\n80\n", text)
 
     def test_smooth_edges_unless_colours_are_a_legends(self):
         self.assertIn("refined_pixels", self.figure())

@@ -14,12 +14,20 @@ namespace
 /// Tolerance, relative to a step, within which a value counts as an end of the range.
 constexpr double kRounding = 1e-9;
 constexpr int kMaxDigits = 17;
+/// Numbers below it have no exponent.
+constexpr double kMaxPlain = 1e6;
 
-/// "-1.5e-07" with minus signs of print and without zeros before the exponent.
+/// "-1.5e-07" with minus signs of print and without zeros before the exponent; "90", not "9e+01".
 std::string Printed(double value, int digits)
 {
   constexpr const char* kMinus = "\u2212";
-  const std::string plain = fmt::format("{:.{}g}", value, digits);
+  std::string plain = fmt::format("{:.{}g}", value, digits);
+  if (const double rounded = std::stod(plain);
+      std::fabs(rounded) >= 1.0 && std::fabs(rounded) < kMaxPlain &&
+      plain.find('e') != std::string::npos)
+  {
+    plain = fmt::format("{:.0f}", rounded);
+  }
   std::string text;
   text.reserve(plain.size() + 4);
   for (std::size_t i = 0; i < plain.size(); ++i)

@@ -32,7 +32,8 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   const bool hasField = shot.scene.layers.front().field != nullptr;
   // The report states the range of visible values.
   const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
-    options.buffers.Needs(hasField) | options.outline.Needs() | options.marks.Needs();
+    options.buffers.Needs(hasField) | options.outline.Needs() | options.marks.Needs() |
+    options.arrows.Needs();
   View view = ViewOf(options.shot.colors, &options.contours, shot);
   view.stride = options.quality.Stride();
   return AreSeveralProcesses() ? TraceTogether(view, others, progress)
@@ -155,6 +156,10 @@ DrawnShot::DrawnShot(
   {
     options.outline.Draw(shot, Pixels);
   }
+  if (options.arrows.IsAsked())
+  {
+    found_.arrows = options.arrows.Find(shot, Pixels);
+  }
   if (options.marks.IsAsked())
   {
     Extremes = ExtremeMarks::Find(shot);
@@ -211,6 +216,12 @@ void DrawnShot::DrawOn(Canvas& canvas) const
   canvas.MoveOrigin(corner[0], corner[1]);
   canvas.Place(Options.shot.colors.Flatten(Pixels));
   Over.Draw(canvas, Pixels.width, Pixels.height);
+  if (found_.arrows)
+  {
+    canvas.Clip(Pixels.width, Pixels.height);
+    Options.arrows.Draw(canvas, *found_.arrows);
+    canvas.Unclip();
+  }
   if (Of.layout && Options.marks.IsAsked())
   {
     ExtremeMarks::Draw(canvas, Of, Pixels, Extremes, Of.layout->font);
@@ -224,7 +235,7 @@ void DrawnShot::DrawOn(Canvas& canvas) const
 
 void DrawnShot::DrawFigure(Canvas& canvas) const
 {
-  FigureContent content{ Of, *Colors, Pixels, Options.shot.colors, true, {}, {} };
+  FigureContent content{ Of, *Colors, Pixels, Options.shot.colors, true, {}, {}, {} };
   content.hasBars = !Told.IsInPlace() && (!Options.contours.Only() || Options.contours.ByMap());
   for (const ColorMeaning& meaning : Told.SeenLegend(Pixels))
   {
@@ -240,6 +251,12 @@ void DrawnShot::DrawFigure(Canvas& canvas) const
     content.marks.push_back({ *Colors->GetView().appearance.undecided, "undecided" });
   }
   AddNoLogarithm(content);
+  if (found_.arrows)
+  {
+    content.arrow = { found_.arrows->longest, found_.arrows->pixelsPerValue, found_.arrows->field,
+      [this, &canvas](const CanvasPoint& from, const CanvasPoint& to)
+      { Options.arrows.DrawOne(canvas, from, to); } };
+  }
   Options.figure.Draw(canvas, content);
 }
 
@@ -267,13 +284,13 @@ ImageSize DrawnShot::Size() const
 Image DrawnShot::Picture() const
 {
   const ColorOptions& colors = Options.shot.colors;
-  if (!Of.layout)
+  if (!Of.layout && !found_.arrows)
   {
     return colors.Flatten(Pixels);
   }
   const ImageSize size = Size();
-  RasterCanvas canvas(
-    size.width, size.height, colors.BackgroundColor(), Of.layout->font, Options.font.Choice());
+  RasterCanvas canvas(size.width, size.height, colors.BackgroundColor(),
+    Of.layout ? Of.layout->font : kNoLetters, Options.font.Choice());
   DrawOn(canvas);
   return canvas.Picture();
 }

@@ -12,6 +12,12 @@
 #include "Scene/ShotAppearance.h"
 
 #include <nlohmann/json.hpp>
+#include <vtkAbstractArray.h>
+#include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <array>
@@ -45,6 +51,19 @@ std::string NameOf(const Layer& layer)
     return name;
   }
   return layer.component == kMagnitude ? "|" + name + "|" : name + " " + ComponentName(layer);
+}
+
+/// The unit of a layer's values that its file states; empty where it states none.
+std::string UnitInFile(const Shot& shot, const Layer& layer)
+{
+  vtkAbstractArray* array =
+    shot.input.grid->GetPointData()->GetAbstractArray(layer.field->name.c_str());
+  if (array == nullptr || !array->HasInformation() ||
+    array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()) == 0)
+  {
+    return {};
+  }
+  return array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
 }
 
 /// Divides a figure for a mesh whose box has an aspect in the picture.
@@ -176,15 +195,16 @@ FigureLayout FigureOptions::LayOut(const ImageSize& size, const Shot& shot, bool
 
 std::vector<FigureBar> FigureOptions::BarsOf(const FigureContent& content) const
 {
-  const auto& [shot, appearance, frame, colors, hasBars, marks, bar] = content;
+  const Shot& shot = content.shot;
+  const ColorOptions& colors = content.colors;
   std::vector<FigureBar> bars;
-  if (bar)
+  if (content.bar)
   {
-    bars.push_back(*bar);
+    bars.push_back(*content.bar);
   }
-  const std::vector<ValueRange>& ranges = appearance.Ranges();
+  const std::vector<ValueRange>& ranges = content.appearance.Ranges();
   std::vector<std::size_t> shown; // the first layer of each bar
-  for (std::size_t k = 0; k < shot.scene.layers.size() && hasBars; ++k)
+  for (std::size_t k = 0; k < shot.scene.layers.size() && content.hasBars; ++k)
   {
     const auto isSame = [&](std::size_t other)
     {
@@ -202,11 +222,12 @@ std::vector<FigureBar> FigureOptions::BarsOf(const FigureContent& content) const
     {
       own[other] = ranges[other] && isSame(other) ? ranges[k] : std::nullopt;
     }
-    const PixelsBeyond beyond = CountBeyond(frame, own, colors.Logarithm());
+    const PixelsBeyond beyond = CountBeyond(content.frame, own, colors.Logarithm());
     const std::string name =
       !BarTitle.empty() && bars.empty() ? BarTitle : NameOf(shot.scene.layers[k]);
-    bars.push_back({ Unit.empty() ? name : name + " [" + Unit + "]", *ranges[k],
-      appearance.Maps()[k], colors.Logarithm() && (*ranges[k])[0] > 0.0,
+    const std::string unit = Unit.empty() ? UnitInFile(shot, shot.scene.layers[k]) : Unit;
+    bars.push_back({ unit.empty() ? name : name + " [" + unit + "]", *ranges[k],
+      content.appearance.Maps()[k], colors.Logarithm() && (*ranges[k])[0] > 0.0,
       { beyond.below > 0, beyond.above > 0 }, colors.Bands(), TickValues, TickCount });
   }
   return bars;
@@ -246,6 +267,10 @@ void FigureOptions::DrawLegend(FigureLegend& legend, const FigureContent& conten
   {
     const auto step = static_cast<std::size_t>(shot.input.step);
     legend.AddText("t = " + Short(shot.input.times[step]));
+  }
+  if (content.arrow)
+  {
+    legend.AddArrow(*content.arrow);
   }
   legend.AddBars(bars);
 }

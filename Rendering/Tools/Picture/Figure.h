@@ -27,9 +27,10 @@ struct FigureContent
   const ShotAppearance& appearance;
   const Frame& frame;
   const ColorOptions& colors;
-  bool hasBars = true;          ///< whether the colours of fields are visible
-  std::vector<ColorMark> marks; ///< in addition to those of unknown pixels and NaN
-  std::optional<FigureBar> bar; ///< in place of those of fields
+  bool hasBars = true;              ///< whether the colours of fields are visible
+  std::vector<ColorMark> marks;     ///< in addition to those of unknown pixels and NaN
+  std::optional<FigureBar> bar;     ///< in place of those of fields
+  std::optional<FigureArrow> arrow; ///< of the picture's arrows
 };
 
 /// A picture with its legend: colour bars with ticks and the fields' names, a title, the time,

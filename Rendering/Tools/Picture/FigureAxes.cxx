@@ -93,7 +93,8 @@ double AspectOfBox(const Shot& shot)
   };
   const double width = extent(axes.right);
   const double height = extent(axes.up);
-  return std::clamp(height > 0.0 ? width / height : kMaxBoxAspect, 1.0 / kMaxBoxAspect, kMaxBoxAspect);
+  return std::clamp(
+    height > 0.0 ? width / height : kMaxBoxAspect, 1.0 / kMaxBoxAspect, kMaxBoxAspect);
 }
 
 void DrawCoordinates(Canvas& canvas, const FigureLayout& layout, const Shot& shot,

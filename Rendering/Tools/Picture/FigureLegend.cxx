@@ -38,6 +38,13 @@ double PartOf(const FigureBar& bar, double value)
                        : (value - bar.range[0]) / (bar.range[1] - bar.range[0]);
 }
 
+/// The largest of 1, 2 or 5 times a power of ten that is not above a positive number.
+double RoundBelow(double limit)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(limit)));
+  return power * (limit >= 5.0 * power ? 5.0 : limit >= 2.0 * power ? 2.0 : 1.0);
+}
+
 std::vector<Tick> TicksOf(const FigureBar& bar, int most)
 {
   if (!bar.ticks.empty())
@@ -140,6 +147,24 @@ void FigureLegend::AddText(const std::string& text)
   Write(text, NextRows(1), (kColumn - 1.0) * Font);
 }
 
+void FigureLegend::AddArrow(const FigureArrow& arrow)
+{
+  const double room = (kColumn - 1.2) * Font;
+  const CanvasPoint at = NextRows(2);
+  const double y = at[1] - (Layout.legendBelow ? kRowOfStrip : kRow) * Font;
+  Write(arrow.field, at, room);
+  const double limit = std::min(arrow.longest, (kColumn - 5.0) * Font / arrow.pixelsPerValue);
+  double end = at[0];
+  double length = 0.0;
+  if (limit > 0.0 && std::isfinite(limit))
+  {
+    length = RoundBelow(limit);
+    end += length * arrow.pixelsPerValue + 0.6 * Font;
+    arrow.draw({ at[0], y }, { at[0] + length * arrow.pixelsPerValue, y });
+  }
+  Write(Short(length), { end, y }, room);
+}
+
 void FigureLegend::AddDirections(const CameraView& view)
 {
   const auto [forward, right, up] = AxesOf(view);
@@ -177,12 +202,7 @@ void FigureLegend::AddDirections(const CameraView& view)
 
 void FigureLegend::AddScale(double unit, const std::string& name)
 {
-  const double most = 7.0 * Font;
-  const double power = std::pow(10.0, std::floor(std::log10(most * unit)));
-  const double length = power *
-    (most * unit >= 5.0 * power      ? 5.0
-        : most * unit >= 2.0 * power ? 2.0
-                                     : 1.0);
+  const double length = RoundBelow(7.0 * Font * unit);
   double left = Layout.size.width - (kColumn - 1.0) * Font;
   double y = Taken + 0.7 * Font;
   if (Layout.legendBelow)

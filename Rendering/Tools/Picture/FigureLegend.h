@@ -7,6 +7,7 @@
 #include "Trace/Modules/ColorMapping.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,15 @@ struct FigureBar
   std::optional<int> tickCount = {}; ///< largest number of round values; none: as there is room
 };
 
+/// An arrow of a round length, to read the lengths of the picture's arrows by.
+struct FigureArrow
+{
+  double longest;        ///< of the vectors
+  double pixelsPerValue; ///< length of an arrow, for a vector of length 1
+  std::string field;
+  std::function<void(const CanvasPoint& from, const CanvasPoint& to)> draw;
+};
+
 /// The legend of a figure: a column on the right of its picture, or a strip below it. Each call
 /// adds what it draws; the bars, which come last, fill the rest.
 class FigureLegend
@@ -53,6 +63,7 @@ public:
   void AddScale(double unit, const std::string& name);
   void AddMark(const ColorMark& mark);
   void AddText(const std::string& text);
+  void AddArrow(const FigureArrow& arrow);
   void AddBars(const std::vector<FigureBar>& bars);
 
 private:

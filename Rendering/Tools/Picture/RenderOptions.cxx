@@ -43,6 +43,7 @@ void RenderOptions::AddTo(CLI::App& command)
   lines.AddTo(command);
   figure.AddTo(command);
   marks.AddTo(command);
+  arrows.AddTo(command);
   font.AddTo(command);
   outline.AddTo(command);
   animation.AddTo(command);
@@ -104,6 +105,7 @@ void RenderOptions::Check(const std::string& picture)
   }
   contours.ResolveLengths(inPrint);
   outline.ResolveLengths(inPrint);
+  arrows.ResolveLengths(inPrint);
   buffers.Check();
   font.Check();
   const std::vector<LayerSettings> layers = shot.MakeLayers();
@@ -131,6 +133,10 @@ ShotOptions RenderOptions::OfPicture() const
   {
     asked.layout = [this](const Shot& of)
     { return figure.LayOut(shot.size, of, animation.Turns()); };
+  }
+  if (arrows.IsAsked())
+  {
+    asked.otherFields = { arrows.Field() };
   }
   if (outline.IsAsked())
   {

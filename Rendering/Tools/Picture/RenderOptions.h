@@ -5,6 +5,7 @@
 #include "Picture/AnimationOptions.h"
 #include "Picture/ContourFile.h"
 #include "Picture/ExtremeMarks.h"
+#include "Picture/FieldArrows.h"
 #include "Picture/Figure.h"
 #include "Picture/MeshOutline.h"
 #include "Scene/BufferOptions.h"
@@ -28,6 +29,7 @@ struct RenderOptions
   ContourFileOptions lines;
   FigureOptions figure;
   ExtremeMarks marks;
+  FieldArrows arrows;
   FontOptions font;
   MeshOutline outline;
   AnimationOptions animation;

@@ -141,6 +141,12 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
     { "color_range", debug.IsInPlace() ? nlohmann::ordered_json() : RangeToJson(appearance, 0) },
     { "beyond_range", { { "below", found.beyond.below }, { "above", found.beyond.above } } },
     { "camera", ToJson(shot.view) } });
+  if (found.arrows)
+  {
+    summary["arrows"] = { { "field", found.arrows->field },
+      { "count", found.arrows->arrows.size() }, { "longest", found.arrows->longest },
+      { "scale", found.arrows->scale } };
+  }
   if (shot.layout)
   {
     summary["figure"] = ToJson(*shot.layout);

@@ -3,6 +3,7 @@
 
 #include "Base/Provenance.h"
 #include "Picture/ContourReport.h"
+#include "Picture/FieldArrows.h"
 #include "Scene/LayerRanges.h"
 #include "Scene/QualitySettings.h"
 
@@ -27,6 +28,7 @@ struct Found
   std::optional<FoundContours> contours;       ///< where requested
   QualityFacts quality;                        ///< what was given up for speed
   std::optional<VolumeCounters> volume;
+  std::optional<FoundArrows> arrows;
 };
 
 /// Prints JSON to stdout.

@@ -74,10 +74,11 @@ std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSetti
       return {};
     }
   }
-  const std::vector<std::string> ofSurfaces = options.surfaces.Fields();
-  const bool same = std::ranges::all_of(
-    ofSurfaces, [&options](const std::string& name) { return name == options.field; });
-  return same ? options.field : std::string();
+  const auto isSame = [&options](const std::string& name) { return name == options.field; };
+  return std::ranges::all_of(options.surfaces.Fields(), isSame) &&
+      std::ranges::all_of(options.otherFields, isSame)
+    ? options.field
+    : std::string();
 }
 
 Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,

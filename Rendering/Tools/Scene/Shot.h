@@ -69,6 +69,7 @@ struct ShotOptions
   /// Planes: a point and a normal, which points to the side that is kept.
   std::vector<std::vector<double>> clip;
   VolumeOptions volume;
+  std::vector<std::string> otherFields; ///< of what is drawn over the surfaces
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
   /// Points that a camera which was not placed must see beside the cut, with the view so far;
   /// empty: none.

@@ -83,7 +83,7 @@ std::string DifferencePicture::Encode(
   const ShownAs as(Of, Options, Other);
   const ShotAppearance appearance(colors, nullptr, as.shown, Shown.frame);
   const FigureOptions& figure = difference.Figure();
-  FigureContent content{ as.shown, appearance, Shown.frame, colors, true, {}, {} };
+  FigureContent content{ as.shown, appearance, Shown.frame, colors, true, {}, {}, {} };
   const auto mark = [&](DifferenceSide side, const Rgba& color, const char* text)
   {
     if (std::ranges::find(Shown.side, static_cast<std::uint8_t>(side)) != Shown.side.end())
