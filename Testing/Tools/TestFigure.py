@@ -212,6 +212,25 @@ class Figure(ToolTest):
         # An oblique view has no lengths of its own.
         self.figure("--view", "iso")
 
+    def test_lit_faces_towards_the_viewer_have_the_bars_colours(self):
+        """A parallel view along z shows the cube's upper face and nothing else."""
+        look = ["--camera-position", "0.5,0.5,3", "--focal-point", "0.5,0.5,0.5", "--parallel-scale", "0.7"]
+        pictures = []
+        for lights in ("on", "off"):
+            found = self.summary("render", self.cube, "--field", "w", "--boundary", "--lights", lights, *look, "--figure",
+                "--size", SIZE, "-o", self.image)
+            pictures.append(self.picture(found))
+        np.testing.assert_array_equal(*pictures)
+        # From the side, colours are between 0.4 of the bar's and the bar's.
+        for lights in ("on", "off"):
+            self.succeeds("render", self.cube, "--field", "w", "--boundary", "--lights", lights, "--view", "iso",
+                "--size", "100x100", "-o", self.image)
+            pictures.append(read_image(self.image).astype(float))
+        lit, plain = pictures[2:]
+        shown = (plain < 250).any(axis=2)
+        self.assertTrue((lit[shown] >= 0.4 * plain[shown] - 1).all() and (lit[shown] <= plain[shown] + 1).all())
+        self.assertLess(lit[shown].mean(), 0.9 * plain[shown].mean())
+
     def test_title_and_texts(self):
         plain = self.figure()
         self.assertTrue((read_image(self.image)[392:, :300] == 255).all())

@@ -22,7 +22,7 @@ namespace
 {
 /// Number of arrows across a picture, and the least distance between them in pixels.
 constexpr double kAcross = 30.0;
-constexpr double kLeastSpacing = 8.0;
+constexpr double kMinSpacing = 8.0;
 /// Length of the longest arrow, in units of the spacing.
 constexpr double kLongest = 1.4;
 // The shape of an arrow, in units of the shaft's width.
@@ -131,7 +131,7 @@ Buffer FieldArrows::Needs() const
 
 double FieldArrows::SpacingFor(int width) const
 {
-  return Spacing ? Spacing->Pixels() : std::max(kLeastSpacing, width / kAcross);
+  return Spacing ? Spacing->Pixels() : std::max(kMinSpacing, width / kAcross);
 }
 
 FoundArrows FieldArrows::Find(const Shot& shot, const Frame& frame) const

@@ -18,6 +18,7 @@ constexpr double kRow = 1.6;
 constexpr double kRowOfStrip = 1.5;
 constexpr double kTopOfStrip = 6.0;
 constexpr std::size_t kRowsOfStrip = 4;
+constexpr double kNameRow = 1.3;
 constexpr double kBarWidth = 1.2;
 constexpr double kArrow = 1.0;
 
@@ -250,12 +251,17 @@ void FigureLegend::AddBars(const std::vector<FigureBar>& bars)
   const double share = (top - Taken) / count;
   for (const FigureBar& bar : bars)
   {
-    Write(bar.name, { static_cast<double>(left), top - 0.7 * Font }, (kColumn - 1.2) * Font);
-    const int height =
-      std::max(Font, static_cast<int>(std::min(share - 3.0 * Font, 0.6 * Layout.size.height)));
-    DrawBar(bar,
-      { left, static_cast<int>(top - 2.0 * Font) - height, static_cast<int>(kBarWidth * Font),
-        height },
+    const double room = (kColumn - 1.2) * Font;
+    double y = top - 0.7 * Font;
+    for (const std::string& line : Wrapped(bar.name, room))
+    {
+      Write(line, { static_cast<double>(left), y }, room);
+      y -= kNameRow * Font;
+    }
+    const double height =
+      std::min(y - (top - share) - Font, 0.6 * static_cast<double>(Layout.size.height));
+    const int length = std::max(Font, static_cast<int>(height));
+    DrawBar(bar, { left, static_cast<int>(y) - length, static_cast<int>(kBarWidth * Font), length },
       true);
     top -= share;
   }
