@@ -18,9 +18,9 @@ class Cookbook(ToolTest):
         done = subprocess.run([sys.executable, SCRIPT, TOOL], cwd=self.folder, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(len(done.stdout.splitlines()), 19)
+        self.assertEqual(len(done.stdout.splitlines()), 20)
         pictures = sorted((self.folder / "pictures").iterdir())
-        self.assertEqual(len(pictures), 23)
+        self.assertEqual(len(pictures), 24)
         for picture in pictures:
             if picture.suffix == ".png":
                 colors = np.unique(read_image(picture).reshape(-1, read_image(picture).shape[2]), axis=0)

@@ -130,6 +130,10 @@ DrawnShot::DrawnShot(
   const View& view = Colors->GetView();
   Repaint(view.scene, view.camera.Make(), pipeline, Pixels);
   Told.Count(Pixels, painter.Undecided());
+  if (options.texture.IsAsked())
+  {
+    found_.texture = options.texture.Apply(shot, Pixels);
+  }
   if (edges)
   {
     AddLines(*edges, shot.appearance.edges->width, shot.appearance.edges->colors.front());

@@ -5,11 +5,9 @@
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
-#include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
 #include "Views/VtkLook.h"
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -136,13 +134,7 @@ double FieldArrows::SpacingFor(int width) const
 
 FoundArrows FieldArrows::Find(const Shot& shot, const Frame& frame) const
 {
-  const pixelexact::Field& field = shot.input.model->GetField(Name);
-  if (field.values.components != 2 && field.values.components != 3)
-  {
-    throw Error(
-      fmt::format("--arrows: field '{}' has {} component{}; arrows need 3, or 2 in a plane", Name,
-        field.values.components, field.values.components == 1 ? "" : "s"));
-  }
+  const pixelexact::Field& field = VectorField(*shot.input.model, "--arrows", Name);
   const double spacing = SpacingFor(frame.width);
   std::vector<Place> places = PlacesOf(frame.centres, spacing);
   AddVectors(shot, field, places);

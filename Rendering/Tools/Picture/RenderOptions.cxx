@@ -44,6 +44,7 @@ void RenderOptions::AddTo(CLI::App& command)
   figure.AddTo(command);
   marks.AddTo(command);
   arrows.AddTo(command);
+  texture.AddTo(command);
   font.AddTo(command);
   outline.AddTo(command);
   animation.AddTo(command);
@@ -134,9 +135,12 @@ ShotOptions RenderOptions::OfPicture() const
     asked.layout = [this](const Shot& of)
     { return figure.LayOut(shot.size, of, animation.Turns()); };
   }
-  if (arrows.IsAsked())
+  for (const std::string& field : { arrows.Field(), texture.Field() })
   {
-    asked.otherFields = { arrows.Field() };
+    if (!field.empty())
+    {
+      asked.otherFields.push_back(field);
+    }
   }
   if (outline.IsAsked())
   {

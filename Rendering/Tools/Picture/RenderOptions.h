@@ -6,6 +6,7 @@
 #include "Picture/ContourFile.h"
 #include "Picture/ExtremeMarks.h"
 #include "Picture/FieldArrows.h"
+#include "Picture/FieldTexture.h"
 #include "Picture/Figure.h"
 #include "Picture/MeshOutline.h"
 #include "Scene/BufferOptions.h"
@@ -30,6 +31,7 @@ struct RenderOptions
   FigureOptions figure;
   ExtremeMarks marks;
   FieldArrows arrows;
+  FieldTexture texture;
   FontOptions font;
   MeshOutline outline;
   AnimationOptions animation;

@@ -4,6 +4,7 @@
 #include "Base/Provenance.h"
 #include "Picture/ContourReport.h"
 #include "Picture/FieldArrows.h"
+#include "Picture/FieldTexture.h"
 #include "Scene/LayerRanges.h"
 #include "Scene/QualitySettings.h"
 
@@ -29,6 +30,7 @@ struct Found
   QualityFacts quality;                        ///< what was given up for speed
   std::optional<VolumeCounters> volume;
   std::optional<FoundArrows> arrows;
+  std::optional<FoundTexture> texture;
 };
 
 /// Prints JSON to stdout.

@@ -307,6 +307,19 @@ void WarnOfDiagnostics(const LoadedModel& input)
   }
 }
 
+const Field& VectorField(
+  const HighOrderModel& model, const std::string& option, const std::string& name)
+{
+  const Field& field = model.GetField(name);
+  const int components = field.values.components;
+  if (components != 2 && components != 3)
+  {
+    throw Error(fmt::format("{}: field '{}' has {} component{}; vectors have 3, or 2 in a plane",
+      option, name, components, components == 1 ? "" : "s"));
+  }
+  return field;
+}
+
 const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name)
 {
   if (!name.empty())

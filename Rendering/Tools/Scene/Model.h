@@ -75,6 +75,11 @@ void WarnOfDiagnostics(const LoadedModel& input);
 /// model has one.
 const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name);
 
+/// The field of an option that needs vectors. Throws Error where the model has none of this name,
+/// or it has neither 3 nor, for vectors in a plane, 2 components.
+const Field& VectorField(
+  const HighOrderModel& model, const std::string& option, const std::string& name);
+
 /// Such as " (3 components, order 4 to 6)", to follow the field's name.
 std::string FieldKind(const Field& field);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""render --arrows: where arrows begin and end, read back from an SVG."""
+"""render --arrows, where arrows begin and end, read back from an SVG; and --lic, by correlations of its texture."""
 
 import re
 import unittest
@@ -125,6 +125,82 @@ class Arrows(ToolTest):
         self.fails(1, *base, "--arrows", "w", names=["'w'"])
         self.fails(2, *base, "--arrow-scale", "2", names=["--arrow-scale", "--arrows"])
         self.fails(2, *base, "--arrows", "v", "--arrow-width", "1pt", names=["--arrow-width", "points"])
+
+
+class Texture(ToolTest):
+    """White surfaces, whose pixels are the texture alone."""
+
+    def setUp(self):
+        super().setUp()
+        self.cube = self.folder / "cube.vtu"
+        # Streamlines on a cut across z are circles about (0.5, 0.5).
+        turning = [[0.5 - p[1], p[0] - 0.5, 0.3] for p in CUBE]
+        opposite = [[-c for c in v] for v in turning]
+        fields = [("u", [p[0] for p in CUBE]), ("v", turning), ("w", opposite), ("z", [[0.0, 0.0, 1.0]] * 8)]
+        self.cube.write_text(unit_cube_grid(fields), encoding="utf-8")
+        self.image = self.folder / "a.png"
+
+    def draw(self, field, *words):
+        report = self.summary("render", self.cube, "--field", "u", "--plane", "z", "--color", "1,1,1", "--background",
+            "1,0,0", "--size", "300x300", "--camera-position", "0.5,0.5,3", "--focal-point", "0.5,0.5,0.5",
+            "--parallel-scale", "0.5", "--lic", field, "-o", self.image, *words)
+        pixels = read_image(self.image).astype(float)
+        return report["lic"], pixels[..., 0]
+
+    @staticmethod
+    def correlations(texture, length):
+        """Of points and others that are so many pixels along a circle, and across it."""
+        rows, columns = np.mgrid[0:300, 0:300]
+        x, y = columns - 149.5, rows - 149.5
+        radius, angle = np.hypot(x, y), np.arctan2(y, x)
+        chosen = (radius > 50) & (radius < 130)
+        radius, angle = radius[chosen], angle[chosen]
+        found = []
+        for r, a in [(radius, angle + length / radius), (radius + length, angle)]:
+            there = texture[np.round(149.5 + r * np.sin(a)).astype(int), np.round(149.5 + r * np.cos(a)).astype(int)]
+            found.append(np.corrcoef(texture[chosen], there)[0, 1])
+        return found
+
+    def test_streaks_run_along_the_field(self):
+        for field in ("v", "w", "vec(0.5-y,x-0.5,0)"):
+            report, texture = self.draw(field)
+            self.assertGreater(report["pixels"], 89000)
+            # Each vector serves many pixels.
+            self.assertLess(report["samples"], 40 * report["pixels"])
+            along, across = self.correlations(texture, 8)
+            self.assertGreater(along, 0.5, field)
+            self.assertLess(abs(across), 0.1, field)
+        lengths = [self.correlations(self.draw("v", "--lic-length", n)[1], 16)[0] for n in ("6", "40")]
+        self.assertLess(lengths[0], 0.15)
+        self.assertGreater(lengths[1], 0.5)
+
+    def test_strength(self):
+        _, texture = self.draw("v")
+        self.assertAlmostEqual(texture.mean() / 255, 1 - 0.6 * 0.5, delta=0.02)
+        self.assertGreaterEqual(texture.min(), 0.4 * 255 - 1)
+        _, none = self.draw("v", "--lic-strength", "0")
+        self.assertTrue((none == 255).all())
+
+    def test_threads_do_not_matter(self):
+        textures = [self.draw("v", "--threads", n)[1] for n in ("1", "2")]
+        np.testing.assert_array_equal(*textures)
+
+    def test_no_direction(self):
+        """A vector along the normal has no tangential part."""
+        report, texture = self.draw("z")
+        self.assertEqual(report["pixels"], 0)
+        self.assertTrue((texture == 255).all())
+
+    def test_on_the_boundary(self):
+        found = self.summary("render", case("toroid_hex_g3_p6"), "--boundary", "--view", "iso", "--lic", "vec(-y,x,u)",
+            "--size", "200x150", "-o", self.image)
+        self.assertGreater(found["lic"]["pixels"], 0.98 * found["pixels"]["exact"])
+
+    def test_refused(self):
+        base = ["render", self.cube, "--field", "u", "--plane", "z", "-o", self.image, "-q"]
+        self.fails(1, *base, "--lic", "u", names=["--lic", "'u'", "1 component"])
+        self.fails(2, *base, "--lic-length", "9", names=["--lic-length", "--lic"])
+        self.fails(2, *base, "--lic", "v", "--lic-strength", "2", names=["--lic-strength"])
 
 
 if __name__ == "__main__":
