@@ -83,6 +83,18 @@ class ColorMaps(unittest.TestCase):
             distance = np.linalg.norm(every - np.array(table.GetNanColor()[:3]), axis=1).min()
             self.assertGreater(255 * distance, 35, name)
 
+    def test_default_of_all_interfaces_is_viridis(self):
+        grid = pixelexact.read(DATA / "escher_tet_g3_p3.vtu")
+        values, expected = np.linspace(0, 1, 101), colors(table_of("viridis"), np.linspace(0, 1, 101))
+        mapper = pixelexact.vtkHighOrderMapper()
+        mapper.SetInputData(grid)
+        np.testing.assert_array_equal(colors(mapper.GetLookupTable(), values), expected)
+        default, named = (
+            pixelexact.render(grid, "u", size=(60, 40), **cmap) for cmap in ({}, {"cmap": "viridis"})
+        )
+        np.testing.assert_array_equal(default.image, named.image)
+        self.assertGreater(np.count_nonzero(default.verdicts == 1), 200)
+
     def test_other_names_are_refused(self):
         for name in ("virids", "_r", "viridis_r_r", "viridis_", "Viridis", ""):
             with self.subTest(name), self.assertRaises(ValueError) as raised:
