@@ -112,10 +112,10 @@ def cxx_colors(row):
 
 def write_colormaps(out):
     colors = map(cxx_colors, colormaps.load())
-    rows = [
-        f'  {{ "{row["name"]}", Between::{row["space"].capitalize()}, 0x{row["nan"]}, {cxx_colors_name(row)} }},\n'
-        for row in colormaps.load()
-    ]
+    rows = []
+    for row in colormaps.load():
+        fields = [f'"{row["name"]}"', f"Between::{row['space'].capitalize()}", "0x" + row["nan"], cxx_colors_name(row)]
+        rows.append(f"  {{ {', '.join(fields)} }},\n")
     table = "constexpr NamedMap kMaps[] = {\n" + "".join(rows) + "};\n"
     out.write_text(BEGIN_CXX.format("colormaps.json") + "".join(colors) + table, encoding="utf-8")
 
