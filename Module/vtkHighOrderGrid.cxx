@@ -3,15 +3,27 @@
 
 #include "CompositeParts.h"
 #include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkHighOrderGrid);
 
@@ -32,6 +44,145 @@ void OrderRange(const Expansion& expansion, int range[2])
   }
 }
 
+/// PrintSelf lists so many fields on lines of their own.
+constexpr std::size_t kMaxPrintedFields = 4;
+
+/// The highest polynomial order of any direction.
+int HighestOrder(const Space& space)
+{
+  // The third order of a tensor space makes room for the factors of the collapse.
+  const auto count = space.form == Form::Tensor ? 2 : 3;
+  return *std::max_element(space.order.begin(), space.order.begin() + count);
+}
+
+/// "3", or "2 to 4".
+std::string OrderText(const std::array<int, 2>& range)
+{
+  return std::to_string(range[0]) +
+    (range[1] > range[0] ? " to " + std::to_string(range[1]) : std::string());
+}
+
+void Extend(std::array<int, 2>& range, int order)
+{
+  range = { std::min(range[0], order), std::max(range[1], order) };
+}
+
+constexpr std::array<int, 2> kNoOrders{ std::numeric_limits<int>::max(), -1 };
+
+/// `isPlane`: the solids stand for faces.
+std::string ShapeName(Shape shape, bool isPlane, bool several)
+{
+  std::string name = Name(shape);
+  if (isPlane)
+  {
+    name = shape == Shape::Prism ? "triangle" : "quadrilateral";
+  }
+  const bool isGreek = name.ends_with("hedron");
+  return several ? (isGreek ? name.substr(0, name.size() - 2) + "a" : name + "s") : name;
+}
+
+/// "32 hexahedra of order 3, 4 prisms of order 2 to 4". `isPlane`: the solids stand for faces.
+std::string CellsText(const Mesh& mesh, bool isPlane)
+{
+  struct OfShape
+  {
+    int count = 0;
+    std::array<int, 2> orders = kNoOrders;
+  };
+  std::array<OfShape, kShapeCount> shapes;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    OfShape& shape = shapes[static_cast<std::size_t>(mesh.ShapeOf(e))];
+    ++shape.count;
+    Extend(shape.orders, HighestOrder(mesh.map.SpaceOf(e)));
+  }
+  std::ostringstream text;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    if (shapes[s].count > 0)
+    {
+      text << (text.tellp() > 0 ? ", " : "") << shapes[s].count << ' '
+           << ShapeName(static_cast<Shape>(s), isPlane, shapes[s].count > 1) << " of order "
+           << OrderText(shapes[s].orders);
+    }
+  }
+  if (isPlane && mesh.Elements() > 0)
+  {
+    text << (mesh.isShell ? "; a surface in space" : "; a plane mesh, stored as a slab");
+  }
+  return text.tellp() > 0 ? text.str() : "0";
+}
+
+/// Rounds to 6 digits, which a stream prints, downwards or upwards.
+double Rounded(double number, bool upwards)
+{
+  if (number == 0.0 || !std::isfinite(number))
+  {
+    return number;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(number))) - 5.0);
+  return (upwards ? std::ceil(number / unit) : std::floor(number / unit)) * unit;
+}
+
+void PrintBox(ostream& os, const Vec3& lower, const Vec3& upper)
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    os << (d > 0 ? ", " : "") << "xyz"[d] << ' ' << lower[d] << " to " << upper[d];
+  }
+  os << "\n";
+}
+
+/// The same with a box that contains the given one.
+void PrintOutwards(ostream& os, Box3 box)
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    box.lower[d] = Rounded(box.lower[d], false);
+    box.upper[d] = Rounded(box.upper[d], true);
+  }
+  PrintBox(os, box.lower, box.upper);
+}
+
+std::string FieldText(const Field& field)
+{
+  const int components = field.values.components;
+  std::array<int, 2> orders = kNoOrders;
+  for (int e = 0; e < field.values.Elements(); ++e)
+  {
+    Extend(orders, HighestOrder(field.values.SpaceOf(e)));
+  }
+  return (components == 1 ? "scalar" : std::to_string(components) + " components") +
+    (orders[1] < 0 ? std::string() : ", order " + OrderText(orders));
+}
+
+/// The first fields with their components and orders, the names of all others on one line.
+void PrintFields(ostream& os, vtkIndent indent, const HighOrderModel& model)
+{
+  const std::span<const Field> fields = model.Fields();
+  const auto listed = std::min(fields.size(), kMaxPrintedFields);
+  for (const Field& field : fields.first(listed))
+  {
+    os << indent << "Field " << field.name << ": " << FieldText(field) << "\n";
+  }
+  const auto others = fields.subspan(listed);
+  if (others.empty() && model.Definitions().empty())
+  {
+    return;
+  }
+  os << indent << "Other fields:";
+  const char* before = " ";
+  for (const Field& field : others)
+  {
+    os << std::exchange(before, ", ") << field.name;
+  }
+  for (const auto& [name, text] : model.Definitions())
+  {
+    os << std::exchange(before, ", ") << name << " = " << text;
+  }
+  os << "\n";
+}
+
 int RequireElement(const HighOrderModel& model, vtkIdType element)
 {
   if (element < 0 || element >= model.GetMesh().Elements())
@@ -48,13 +199,31 @@ vtkHighOrderGrid::~vtkHighOrderGrid() = default;
 
 void vtkHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent)
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "High-order fields:";
-  for (const auto& name : StoredFieldNames(this))
+  try
   {
-    os << " " << name;
+    const auto model = this->GetModel();
+    const Mesh& mesh = model->GetMesh();
+    const bool isPlane = this->GetFieldData()->HasArray(kSlab) != 0;
+    os << indent << "Cells: " << CellsText(mesh, isPlane) << "\n";
+    const double* points = this->GetBounds();
+    PrintBox(os << indent << "Points: ", { points[0], points[2], points[4] },
+      { points[1], points[3], points[5] });
+    if (mesh.Elements() > 0)
+    {
+      PrintOutwards(os << indent << "Proven box: ", model->GetLocator().Bounds());
+    }
+    if (this->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+    {
+      os << indent << "Time: " << this->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP())
+         << "\n";
+    }
+    PrintFields(os, indent, *model);
   }
-  os << "\n";
+  catch (const Error& error)
+  {
+    os << indent << "Cells: " << this->GetNumberOfCells() << "\n"
+       << indent << "Coefficients: " << error.what() << "\n";
+  }
 }
 
 std::shared_ptr<HighOrderModel> vtkHighOrderGrid::GetModel()

@@ -38,6 +38,13 @@ class PIXELEXACTDATAMODEL_EXPORT vtkHighOrderGrid : public vtkUnstructuredGrid
 public:
   static vtkHighOrderGrid* New();
   vtkTypeMacro(vtkHighOrderGrid, vtkUnstructuredGrid);
+
+  /**
+   * Prints ten lines at most, in Python also for print(grid): cells by shape and order, the box of
+   * the points, a box that is proven to contain the curved elements, the time, and fields with
+   * components and orders. Of coefficients that do not fit, prints what is wrong. VTK's own arrays
+   * print themselves.
+   */
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**

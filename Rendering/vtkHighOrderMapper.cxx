@@ -649,8 +649,10 @@ void vtkHighOrderMapper::CreateDefaultLookupTable()
   {
     this->LookupTable->UnRegister(this);
   }
-  this->LookupTable = vtkLookupTable::New();
-  this->LookupTable->SetVectorModeToMagnitude();
+  const auto table = pixelexact::MakeColorMap("viridis", { 0.0, 1.0 });
+  table->SetVectorModeToMagnitude();
+  table->Register(this);
+  this->LookupTable = table;
 }
 
 //------------------------------------------------------------------------------

@@ -17,10 +17,10 @@
  * - Component of vectors: SetComponent; else that of ColorByArrayComponent; else the lookup table's
  *   VectorMode and VectorComponent, which is the magnitude for tables that the mapper creates
  *   (SetColorMap, or by default).
- * - Colours: the lookup table, over the range of the field, of the cut, or a given ScalarRange (see
- *   SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
- *   ScalarVisibility off, the actor's colour. Pixels with an undecided element get the
- *   UnknownColor. EdgeVisibility draws lines between elements, of width LineWidth.
+ * - Colours: the lookup table, by default the colour map viridis, over the range of the field, of
+ *   the cut, or a given ScalarRange (see SetRangeMode), or, with UseLookupTableScalarRange, over
+ *   the table's own range. With ScalarVisibility off, the actor's colour. Pixels with an undecided
+ *   element get the UnknownColor. EdgeVisibility draws lines between elements, of width LineWidth.
  * - Contours of any number of values: see vtkHighOrderContourMapper.
  * - Light: the renderer's lights, with the surface's exact normals and the actor's property; planes
  *   are not lit unless LightFlat is on.
@@ -203,8 +203,8 @@ public:
   double* GetSeenRange() VTK_SIZEHINT(2);
 
   /**
-   * Sets a lookup table with one of the command-line program's colour maps: viridis, inferno,
-   * plasma, coolwarm, jet, rainbow, grayscale. It maps vectors by their magnitude. Any other name
+   * Sets a lookup table with one of the colour maps of the command-line program's --colormap, such
+   * as viridis, or viridis_r, which is reversed. It maps vectors by their magnitude. Any other name
    * is an error, which lists the names.
    */
   void SetColorMap(const std::string& name);

@@ -20,7 +20,7 @@ install(
   DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}"
   COMPONENT development)
 # In no package of Debian's, which have it elsewhere.
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/Rendering/Settings/LICENSE-colormaps"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/PixelExact"
   COMPONENT license)
 

@@ -72,7 +72,9 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(doc "${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${variable}_PACKAGE_NAME}")
   install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${doc}" RENAME copyright
     COMPONENT ${component} ${elsewhere})
-  install(FILES "${PROJECT_BINARY_DIR}/debian/changelog" DESTINATION "${doc}"
+  install(FILES
+    "${PROJECT_BINARY_DIR}/debian/changelog" "${PROJECT_SOURCE_DIR}/Rendering/Settings/LICENSE-colormaps"
+    DESTINATION "${doc}"
     COMPONENT ${component} EXCLUDE_FROM_ALL)
   set(elsewhere EXCLUDE_FROM_ALL)
 endforeach()

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what is made from the tables of settings and file formats, settings.json and formats.json.
+"""Writes what is made from the tables of settings, file formats and colour maps.
 
     generate.py cxx OUT.inc             the rows of the tool's options, for Tools/Base/Settings.cxx
+    generate.py colormaps OUT.inc       the colour maps, for Rendering/Views/VtkColorMap.cxx
     generate.py formats OUT.inc         the rows of suffixes, for Tools/Input/FormatTable.cxx
     generate.py python OUT.py           the rows of Python's keywords, for pixelexact/_settings.py
     generate.py python-formats OUT.py   the texts of formats, for pixelexact/_read.py
     generate.py readers TEMPLATE.in OUT ParaView's readers, with the suffixes of <ReaderFactory reader="..."
                                         and the properties of <CellProperties />
-    generate.py page PAGE.md            the table of formats, in place of the one in files.md
+    generate.py page PAGE.md            the tables of formats and colour maps, in place of those in files.md and
+                                        command-line.md
     generate.py xml TEMPLATE.in OUT     ParaView's properties, in place of lines <Setting name="..."/>
     generate.py forwarders OUT.inc      the representation's functions that set these properties
     generate.py literal FILE OUT.inc    a text as string literals of C++, for the page of serve
@@ -22,6 +24,7 @@ import sys
 from pathlib import Path
 from xml.sax.saxutils import escape
 
+import colormaps
 import formats
 import settings
 
@@ -96,6 +99,27 @@ def write_formats(out):
     out.write_text(BEGIN_CXX.format("formats.json") + "".join(rows), encoding="utf-8")
 
 
+def cxx_colors_name(row):
+    return f"kColorsOf{row['name'][0].upper()}{row['name'][1:]}"
+
+
+def cxx_colors(row):
+    lines = [f"constexpr std::uint32_t {cxx_colors_name(row)}[] = {{"]
+    for i in range(0, len(row["colors"]), 10):
+        lines.append("  " + " ".join(f"0x{color}," for color in row["colors"][i : i + 10]))
+    return "\n".join(lines) + "\n};\n"
+
+
+def write_colormaps(out):
+    colors = map(cxx_colors, colormaps.load())
+    rows = []
+    for row in colormaps.load():
+        fields = [f'"{row["name"]}"', f"Between::{row['space'].capitalize()}", "0x" + row["nan"], cxx_colors_name(row)]
+        rows.append(f"  {{ {', '.join(fields)} }},\n")
+    table = "constexpr NamedMap kMaps[] = {\n" + "".join(rows) + "};\n"
+    out.write_text(BEGIN_CXX.format("colormaps.json") + "".join(colors) + table, encoding="utf-8")
+
+
 def write_python(out):
     rows = {}
     for row in settings.load():
@@ -103,7 +127,7 @@ def write_python(out):
             lowest, highest = settings.limits_of(row)
             is_number = row["type"] in ("integer", "number")
             rows[row["python"]] = {
-                "type": row["type"], "help": row["python_help"], "choices": row["choices"],
+                "option": settings.name_of(row) if row["option"] else None, "type": row["type"], "help": row["python_help"], "choices": row["choices"],
                 "limits": (lowest, highest) if is_number else None,
                 "expected": settings.expected_of(row),
             }
@@ -175,9 +199,11 @@ def write_readers(template, out):
 
 def write_page(page):
     text = page.read_text(encoding="utf-8")
-    begin = text.index(formats.PAGE_HEAD)
-    end = text.index("\n\n", begin) + 1
-    page.write_text(text[:begin] + formats.page_table() + text[end:], encoding="utf-8")
+    for table in (formats, colormaps):
+        begin = text.find(table.PAGE_HEAD)
+        if begin >= 0:
+            text = text[:begin] + table.page_table() + text[text.index("\n\n", begin) + 1 :]
+    page.write_text(text, encoding="utf-8")
 
 
 def paraview_entries():
@@ -255,7 +281,7 @@ def write_literal(source, out):
 
 def main(what, *files):
     writers = {
-        "cxx": write_cxx, "formats": write_formats, "python": write_python,
+        "cxx": write_cxx, "colormaps": write_colormaps, "formats": write_formats, "python": write_python,
         "python-formats": write_python_formats, "readers": write_readers, "page": write_page,
         "xml": write_xml, "forwarders": write_forwarders,
         "literal": write_literal,

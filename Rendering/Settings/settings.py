@@ -11,6 +11,7 @@ import math
 import re
 from pathlib import Path
 
+import colormaps
 import formats
 
 TABLE = Path(__file__).resolve().parent / "settings.json"
@@ -40,7 +41,8 @@ KEYS = {
     "group": "filled in: the title of the row's group",
     "repeated": "whether the option may be given any number of times",
     "count": "how many numbers a value of type `numbers` has",
-    "choices": "the words of a choice",
+    "choices": "the words of a choice, or those of a text that completion offers; colormaps: the names of"
+               " colormaps.json",
     "form": "what the help shows for the value",
     "unit": "the unit of a number, which is then its form",
     "min": "the smallest number", "max": "the largest number", "above": "an open lower limit",
@@ -49,8 +51,8 @@ KEYS = {
     "implied": "the number of a `number-if-any` where it is left out",
     "needs": "options without which this one is refused",
     "excludes": "options with which it is refused",
-    "help": "one or two sentences; {min}, {max}, {implied}, {suffixes} and {field_suffixes} of"
-            " formats.json, and what FillHelp (Tools/Base) fills in",
+    "help": "one or two sentences; {min}, {max}, {implied}, {choices}, {suffixes} and"
+            " {field_suffixes} of formats.json, and what FillHelp (Tools/Base) fills in",
     "layer": "the key of --layer",
     "tool_only": "why Python, VTK and ParaView have no such setting, as options.md states it",
     "vtk": "properties of VTK's classes: \"Class.Property\", or an object of VTK_KEYS",
@@ -154,6 +156,8 @@ def _complete(given, sets):
     for key in ("common", "required"):
         row[key] = row["commands"] if row[key] is True else _commands(row[key], sets)
         row[key] = [command for command in row[key] if command in row["commands"]]
+    if row["choices"] == "colormaps":
+        row["choices"] = colormaps.names()
     for key in ("choices", "needs", "excludes", "vtk"):
         row[key] = row[key] or []
     form = row["form"] or (row["unit"].upper() if row["unit"] else FORMS[row["type"]])
@@ -193,8 +197,9 @@ def _complete_vtk(row, entry):
 
 
 def _filled(text, row):
-    numbers = {key: number_text(row[key]) for key in ("min", "max", "implied") if row[key] is not None}
-    for key, value in (numbers | formats.help_texts()).items():
+    texts = {key: number_text(row[key]) for key in ("min", "max", "implied") if row[key] is not None}
+    texts["choices"] = ", ".join(row["choices"])
+    for key, value in (texts | formats.help_texts()).items():
         text = text.replace(f"{{{key}}}", value)
     return text
 

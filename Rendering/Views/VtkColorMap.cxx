@@ -13,10 +13,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,45 +37,42 @@ enum class Between
 
 struct NamedMap
 {
-  const char* name;
+  std::string_view name;
   Between between;
   std::uint32_t nan;
   std::span<const std::uint32_t> colors; ///< 0xRRGGBB, at equal steps over the range
 };
 
-// Ten colours each of matplotlib's maps (S. van der Walt, N. Smith, 2015). The maps are
-// perceptually uniform, so colours are interpolated in CIELAB.
-constexpr std::uint32_t kViridis[] = { 0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89,
-  0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725 };
-constexpr std::uint32_t kInferno[] = { 0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60, 0xcf4446,
-  0xed6925, 0xfb9a06, 0xf7d03c, 0xfcffa4 };
-constexpr std::uint32_t kPlasma[] = { 0x0d0887, 0x47039f, 0x7301a8, 0x9c179e, 0xbd3786, 0xd8576b,
-  0xed7953, 0xfa9e3b, 0xfdc926, 0xf0f921 };
-// K. Moreland, Diverging Color Maps for Scientific Visualization, 2009; VTK implements its colour
-// space.
-constexpr std::uint32_t kCoolWarm[] = { 0x3b4cc0, 0xb40426 };
-constexpr std::uint32_t kJet[] = { 0x000080, 0x0000ff, 0x0080ff, 0x00ffff, 0x80ff80, 0xffff00,
-  0xff8000, 0xff0000, 0x800000 };
-constexpr std::uint32_t kRainbow[] = { 0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000 };
-constexpr std::uint32_t kGrayscale[] = { 0x000000, 0xffffff };
+// kMaps, the rows of Rendering/Settings/colormaps.json, which states the source of each map.
+#include "ColorMapRows.inc"
 
 /// Steps of a table: four for each of the 256 values of a byte.
 constexpr int kTableSize = 1024;
 
-constexpr std::uint32_t kGray = 0x808080;
-constexpr NamedMap kMaps[] = {
-  { "viridis", Between::Lab, kGray, kViridis },
-  { "inferno", Between::Lab, kGray, kInferno },
-  { "plasma", Between::Lab, kGray, kPlasma },
-  { "coolwarm", Between::Diverging, 0xffff00, kCoolWarm },
-  { "jet", Between::Rgb, kGray, kJet },
-  { "rainbow", Between::Rgb, kGray, kRainbow },
-  { "grayscale", Between::Rgb, 0xff0000, kGrayscale },
-};
-
 double Channel(std::uint32_t color, int shift)
 {
   return static_cast<double>((color >> shift) & 0xffU) / 255.0;
+}
+
+/// The name of a reversed map ends with this.
+constexpr std::string_view kReversed = "_r";
+
+struct ChosenMap
+{
+  const NamedMap* map = nullptr; ///< null where there is none of the name
+  bool reversed = false;
+};
+
+ChosenMap FindMap(std::string_view name)
+{
+  ChosenMap chosen{ .reversed = name.ends_with(kReversed) };
+  if (chosen.reversed)
+  {
+    name.remove_suffix(kReversed.size());
+  }
+  const auto* found = std::ranges::find(kMaps, name, &NamedMap::name);
+  chosen.map = found != std::end(kMaps) ? found : nullptr;
+  return chosen;
 }
 
 void SetSpace(vtkColorTransferFunction* map, Between between)
@@ -233,19 +234,25 @@ std::vector<std::string> ColorMapNames()
   return names;
 }
 
+bool HasColorMap(std::string_view name)
+{
+  return FindMap(name).map != nullptr;
+}
+
 vtkSmartPointer<vtkLookupTable> MakeColorMap(
   const std::string& name, const std::array<double, 2>& range)
 {
-  const auto* found = std::find_if(
-    std::begin(kMaps), std::end(kMaps), [&name](const NamedMap& map) { return name == map.name; });
-  if (found == std::end(kMaps))
+  const auto [found, reversed] = FindMap(name);
+  if (found == nullptr)
   {
-    std::string names;
+    std::ostringstream text;
+    text << "unknown colour map '" << name << "' (available: ";
     for (const NamedMap& map : kMaps)
     {
-      names += (names.empty() ? "" : ", ") + std::string(map.name);
+      text << map.name << ", ";
     }
-    throw Error("unknown colour map '" + name + "' (available: " + names + ")");
+    text << "and each reversed, as " << kMaps[0].name << kReversed << ')';
+    throw Error(text.str());
   }
   vtkNew<vtkColorTransferFunction> colors;
   SetSpace(colors, found->between);
@@ -253,7 +260,7 @@ vtkSmartPointer<vtkLookupTable> MakeColorMap(
   for (std::size_t i = 0; i <= last; ++i)
   {
     const double part = static_cast<double>(i) / static_cast<double>(last);
-    const std::uint32_t color = found->colors[i];
+    const std::uint32_t color = found->colors[reversed ? last - i : i];
     colors->AddRGBPoint(part, Channel(color, 16), Channel(color, 8), Channel(color, 0));
   }
   return MakeColorTable(

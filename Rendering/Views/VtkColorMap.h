@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 class vtkColorTransferFunction;
@@ -40,12 +41,17 @@ PIXELEXACTRENDERING_EXPORT void RequireRange(const std::array<double, 2>& range)
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT int ComponentOf(
   vtkScalarsToColors* table, int fieldComponents);
 
-/// Names of the colour maps of MakeColorMap.
+/// Returns the names of the colour maps of MakeColorMap, without those of reversed maps.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<std::string> ColorMapNames();
 
-/// A new colour map over [range[0], range[1]], as a table of 1024 colours. Values outside the range
-/// get the colours of the ends; NaN gets a colour that is not in the map. Throws Error, listing the
-/// names, for an unknown name, and for a range that is not finite or reversed.
+/// Returns whether MakeColorMap takes the name.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT bool HasColorMap(std::string_view name);
+
+/// Returns a new colour map over [range[0], range[1]], as a table of 1024 colours. `name` with _r
+/// after it reverses the map. The table differs from the published one of 256 colours, where there
+/// is one, by at most 2 levels of 255. Values outside the range get the colours of the ends; NaN
+/// gets a colour that is not in the map. Throws Error, listing the names, for an unknown name, and
+/// for a range that is not finite or reversed.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkLookupTable> MakeColorMap(
   const std::string& name, const std::array<double, 2>& range);
 

@@ -9,10 +9,15 @@ numbers surfaces; a layer has a `surface`, [kind, *numbers], and what `--layer` 
 
 import json
 import random
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Rendering" / "Settings"))
+import colormaps  # noqa: E402
 
 # As the tool orders them.
 KINDS = ("plane", "sphere", "cylinder", "quadric", "torus", "box", "isosurface", "boundary")
-MAPS = ("viridis", "inferno", "plasma", "coolwarm", "jet", "rainbow", "grayscale")
+MAPS = (*colormaps.names(), "viridis_r", "vik_r")
 SIZES = ((64, 48), (50, 60), (71, 41))
 COUNT = 50
 SEED = 20261128

@@ -51,7 +51,7 @@ class Notebook(unittest.TestCase):
                 cell["id"]: cell["outputs"][0] for cell in notebook["cells"] if cell.get("outputs")
             }
             shown = {}
-            for name in ("cut", "picture"):
+            for name in ("cut", "picture", "figure"):
                 path = Path(folder) / f"{name}.png"
                 path.write_bytes(base64.b64decode(outputs[name]["data"]["image/png"]))
                 shown[name] = pixels(path)
@@ -60,6 +60,16 @@ class Notebook(unittest.TestCase):
         np.testing.assert_array_equal(shown["cut"], cut.render(size=(600, 600)).image)
         picture = pixelexact.render(TORUS, "u", normal="z", origin=0.1, size=(300, 200))
         np.testing.assert_array_equal(shown["picture"], picture.image)
+        figure = pixelexact.figure(
+            TORUS, "u", plane="z=0.1", contours=9, cmap="vik", clim="symmetric", size=(600, 400)
+        )
+        with tempfile.NamedTemporaryFile(suffix=".png") as file:
+            file.write(figure.content)
+            file.flush()
+            np.testing.assert_array_equal(shown["figure"], pixels(file.name))
+        text = "".join(outputs["grid"]["data"]["text/plain"])
+        self.assertIn("Cells: 48 hexahedra of order 3", text)
+        self.assertLessEqual(len(text.splitlines()), 10)
         exact = np.count_nonzero(picture.verdicts == 1)
         self.assertGreater(exact, 1000)
         self.assertTrue(outputs["values"]["text"][0].startswith(f"{exact} exact pixels"))

@@ -17,6 +17,10 @@ grid = pixelexact.read("a.mesh", "u.gf", time_step=0)
 actor, bar = pixelexact.cut(grid, "u", normal="z", contours=[0.1, 0.2])
 picture = pixelexact.render(grid, "u", size=(100, 100))
 count: int = len(pixelexact.probe(grid, "u", [[0.0, 0.0, 0.0]]))
+figure = pixelexact.figure("a.vtu", "u", plane="z=40%", output="a.pdf", size=(100, 100))
+pages: list[str] = [note for note in figure.notes]
+exact = pixelexact.info(grid, certify=True)["elements"]
+rows = pixelexact.compare(["a.mesh", "u.gf"], "u").rows
 mapper = pixelexact.vtkHighOrderMapper()
 mapper.SetSearchSamples(3)
 """
@@ -25,6 +29,7 @@ import pixelexact
 pixelexact.set_threads("2")
 pixelexact.vtkHighOrderMapper().SetSearchSamples("many")
 pixelexact.render("a.vtu", size=3)
+pixelexact.figure("a.vtu", 5)
 """
 
 
@@ -50,7 +55,7 @@ class Types(unittest.TestCase):
 
     def test_mistakes_are_found(self):
         found = self.mypy(WRONG)
-        for line in (3, 4, 5):
+        for line in (3, 4, 5, 6):
             self.assertIn(f"script.py:{line}: error", found)
 
 

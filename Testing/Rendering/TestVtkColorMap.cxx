@@ -142,6 +142,37 @@ TEST(VtkColorMap, NamedMapsSpanTheRange)
   EXPECT_EQ(colors, (std::array<std::uint8_t, 8>{ 0x44, 0x01, 0x54, 255, 0xfd, 0xe7, 0x25, 255 }));
 }
 
+TEST(VtkColorMap, ReversedMapsRunFromTheLastColorToTheFirst)
+{
+  for (const std::string& name : ColorMapNames())
+  {
+    SCOPED_TRACE(name);
+    const auto table = MakeColorMap(name, { 0.0, 1.0 });
+    const auto other = MakeColorMap(name + "_r", { 0.0, 1.0 });
+    const vtkIdType last = table->GetNumberOfTableValues() - 1;
+    for (vtkIdType i = 0; i <= last; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        ASSERT_NEAR(table->GetTableValue(i)[c], other->GetTableValue(last - i)[c], 1e-9) << i;
+      }
+    }
+  }
+}
+
+TEST(VtkColorMap, NamesAreThoseOfTheTable)
+{
+  for (const std::string& name : ColorMapNames())
+  {
+    EXPECT_TRUE(HasColorMap(name));
+    EXPECT_TRUE(HasColorMap(name + "_r"));
+    EXPECT_FALSE(HasColorMap(name + "_r_r"));
+  }
+  EXPECT_FALSE(HasColorMap("virids"));
+  EXPECT_FALSE(HasColorMap("_r"));
+  EXPECT_FALSE(HasColorMap(""));
+}
+
 TEST(VtkColorMap, ConstantFieldsHaveAColor)
 {
   for (const double value : { 0.0, 3.5, -1e30, 1e-320 })

@@ -18,6 +18,7 @@ from tool import DATA, MIDDLE, TOOL, ToolTest, case
 
 ROOT = DATA.parent
 sys.path.insert(0, str(ROOT / "Rendering" / "Settings"))
+import colormaps  # noqa: E402
 import formats  # noqa: E402
 import settings  # noqa: E402
 
@@ -100,7 +101,13 @@ class Table(ToolTest):
     def test_names_of_colour_maps(self):
         done = self.fails(2, "render", case("escher_tet_g3_p3"), *MIDDLE, "--colormap", "what")
         row = next(row for row in settings.load() if row["option"] == "--colormap")
+        self.assertEqual(row["choices"], colormaps.names())
         self.assertIn("there are " + ", ".join(row["choices"]) + ",", done.stderr)
+
+    def test_table_of_colour_maps(self):
+        """Where it fails: Rendering/Settings/generate.py page Module/Documentation/command-line.md."""
+        page = (PAGE.parent / "command-line.md").read_text(encoding="utf-8")
+        self.assertIn(f"\n{colormaps.page_table()}\n", page)
 
     def test_limits_are_refused_by_the_words_of_the_table(self):
         for row in settings.load():

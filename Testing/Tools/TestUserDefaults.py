@@ -132,6 +132,7 @@ class Completion(DefaultsTest):
         # Names and files.
         self.assertEqual(self.complete("pixelexact", "render", "--colormap", "gr"), ["grayscale"])
         self.assertLess({"coolwarm", "cube.vtu"}, {*self.complete("pixelexact", "render", "--colormap", "c")})
+        self.assertEqual(self.complete("pixelexact", "render", "--transfer", "ro"), ["romaO"])
         self.assertEqual(self.complete("pixelexact", "render", "--font", "s"), ["sans", "serif"])
         self.assertEqual(self.complete("pixelexact", "render", "--font", "cu"), ["cube.vtu"])
         self.assertEqual(self.complete("pixelexact", "info", "--sweep"), [])

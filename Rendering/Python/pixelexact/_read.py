@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import warnings
 from typing import Any, Optional, Sequence, Union
 
@@ -108,3 +109,13 @@ def read(
     from ._warp import warped  # which imports this module
 
     return warped(typed, warp, warp_direction, progress)
+
+
+def show_in_notebooks() -> None:
+    """Makes IPython and Jupyter display a grid as print does: its own text is an address, and types
+    of VTK 9.1 accept no other."""
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    if shell is not None:
+        shell.display_formatter.formatters["text/plain"].for_type(
+            vtkHighOrderGrid, lambda grid, printer, _cycle: printer.text(str(grid).strip())
+        )

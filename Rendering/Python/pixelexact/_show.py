@@ -10,11 +10,9 @@ import shutil
 import subprocess
 import tempfile
 from pathlib import Path as FilePath
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Optional, Sequence
 
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
-
-from ._read import Path, as_high_order
+from ._tool import Input, files_of, find_tool, text_of_error, words_of
 from ._work import Error
 
 # The picture stays where scripts do not run or the browser does not reach the server.
@@ -31,46 +29,6 @@ style="max-width:100%;object-fit:contain" alt="picture of the field"></div>
   }}, () => {{}});
 }})();
 </script>"""
-
-
-def _tool() -> str:
-    """The program: of this package's installation or build, else on the PATH."""
-    beside = FilePath(__file__).resolve().parents[4] / "bin" / "pixelexact"
-    found = str(beside) if beside.is_file() else shutil.which("pixelexact")
-    if found is None:
-        raise Error(
-            "show: the program pixelexact is neither installed with this package nor on the PATH; "
-            "install it, or use pixelexact.render for a picture"
-        )
-    return found
-
-
-def _words(options: dict[str, Any]) -> list[str]:
-    words = []
-    for name, value in options.items():
-        option = "--" + name.replace("_", "-")
-        if value is True:
-            words.append(option)
-        elif value is not None and value is not False:
-            numbers = isinstance(value, (list, tuple)) or hasattr(value, "tolist")
-            text = ",".join(repr(float(x)) for x in value) if numbers else str(value)
-            words.append(f"{option}={text}")
-    return words
-
-
-def _written(grid: Any, folder: str) -> str:
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-
-    file = os.path.join(folder, "grid.vtu")
-    writer = vtkXMLUnstructuredGridWriter()
-    writer.SetFileName(file)
-    writer.SetInputData(as_high_order(grid))
-    writer.SetDataModeToBinary()
-    writer.SetHeaderTypeToUInt64()
-    writer.SetCompressorTypeToNone()
-    if writer.Write() != 1:
-        raise Error(f"show: cannot write '{file}'; make room in the folder of temporary files")
-    return file
 
 
 class Shown:
@@ -124,7 +82,7 @@ class Shown:
 
 
 def show(
-    grid: Union[Any, Path, Sequence[Path]],
+    grid: Input,
     field: Optional[str] = None,
     *,
     size: Sequence[int] = (900, 600),
@@ -140,29 +98,20 @@ def show(
 
     Raises Error, with the program's words, for what it refuses, and where there is no program.
     """
-    tool = _tool()
+    tool = find_tool("show")
     width, height = (int(side) for side in size)
     folder = tempfile.mkdtemp(prefix="pixelexact-")
     process = None
     try:
-        if isinstance(grid, (str, os.PathLike)):
-            files = [os.fspath(grid)]
-        elif isinstance(grid, vtkUnstructuredGrid):
-            files = [_written(grid, folder)]
-        elif isinstance(grid, (list, tuple)):
-            files = [os.fspath(file) for file in grid]
-        else:
-            raise TypeError(
-                f"show: a grid is a vtkUnstructuredGrid or names of files, not {type(grid).__name__}"
-            )
-        words = _words({"field": field, **options})
+        files = files_of("show", grid, folder)
+        words = words_of({"field": field, **options})
         picture = os.path.join(folder, "picture.png")
         words_of_picture = [*words, f"--size={width}x{height}", f"--output={picture}", "--quiet"]
         done = subprocess.run(
             [tool, "render", *files, *words_of_picture], capture_output=True, text=True, check=False
         )
         if done.returncode != 0:
-            raise Error(done.stderr.strip().removeprefix("pixelexact: "))
+            raise Error(text_of_error(done.stderr))
         messages = os.path.join(folder, "messages.txt")
         with open(messages, "wb") as stream:
             process = subprocess.Popen(
@@ -179,7 +128,7 @@ def show(
             process.stdout.close()
             process.stdin.close()
             said = FilePath(messages).read_text(encoding="utf-8", errors="replace")
-            raise Error(said.strip().removeprefix("pixelexact: "))
+            raise Error(text_of_error(said))
         return Shown(address, FilePath(picture).read_bytes(), (width, height), process, folder)
     except BaseException:
         if process is not None:

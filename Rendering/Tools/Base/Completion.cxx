@@ -5,12 +5,14 @@
 #include "Base/Help.h"
 #include "Base/Manual.h"
 #include "Base/Options.h"
+#include "Base/Settings.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +25,7 @@ struct OptionFacts
   std::vector<std::string> names; ///< with leading minus signs, the long one last
   std::string form;               ///< empty: a flag
   std::string help;
-  std::vector<std::string> choices; ///< listed in the form
+  std::vector<std::string> choices; ///< words that the value may be
   bool files = true;                ///< whether the value may name a file
   bool joined = false;              ///< the value is optional and must be joined by "="
 };
@@ -64,7 +66,9 @@ OptionFacts FactsOf(const CLI::App& command, const CLI::Option& option)
   }
   facts.form = option.get_items_expected_max() > 0 ? option.get_type_name() : std::string();
   facts.help = DescriptionOf(command, option);
-  facts.choices = ChoicesIn(facts.form);
+  const Setting* row = FindSetting(command.get_name(), facts.names.back());
+  facts.choices =
+    row != nullptr && !row->choices.empty() ? WordsIn(row->choices) : ChoicesIn(facts.form);
   const std::vector<std::string> parts = SplitAt(facts.form, '|');
   facts.files = facts.choices.empty() || std::ranges::find(parts, "FILE") != parts.end();
   facts.joined = facts.form.starts_with("[");

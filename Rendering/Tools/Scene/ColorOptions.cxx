@@ -11,9 +11,9 @@
 #include "Views/VtkColorMap.h"
 #include "Views/VtkLook.h"
 
+#include <fmt/format.h>
 #include <vtkLookupTable.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,11 +21,6 @@ namespace pixelexact
 {
 namespace
 {
-std::string MapNames()
-{
-  return Listed(ColorMapNames());
-}
-
 vtkSmartPointer<vtkLookupTable> TableOf(const std::string& map, const std::array<double, 2>& range)
 {
   return NamesColorMapFile(map) ? ReadColorMapFile(map, range) : MakeColorMap(map, range);
@@ -57,11 +52,12 @@ void CheckMap(const char* option, const std::string& map)
     (void)ReadColorMapFile(map, { 0.0, 1.0 });
     return;
   }
-  const std::vector<std::string> names = ColorMapNames();
-  if (std::find(names.begin(), names.end(), map) == names.end())
+  if (!HasColorMap(map))
   {
-    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + MapNames() +
-      ", and files of ParaView's, .json and .xml" + Suggestion(names, map));
+    const std::vector<std::string> names = ColorMapNames();
+    throw UsageError(fmt::format("{}: there is no '{}'; there are {}, each reversed with _r after "
+                                 "its name, and files of ParaView's, .json and .xml{}",
+      option, map, Listed(names), Suggestion(names, map)));
   }
 }
 

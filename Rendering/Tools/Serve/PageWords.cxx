@@ -69,10 +69,10 @@ void CheckValue(const std::string& option, const std::string& value)
   {
     throw UsageError(option + ": the value is empty, too long or has control characters");
   }
-  if (option == "--colormap" && !Contains(ColorMapNames(), value))
+  if (option == "--colormap" && !HasColorMap(value))
   {
     throw UsageError("--colormap: a page chooses one of " + Listed(ColorMapNames()) +
-      "; files are given to serve");
+      ", each reversed with _r after its name; files are given to serve");
   }
   if (option == "--time-step" && value == "all")
   {

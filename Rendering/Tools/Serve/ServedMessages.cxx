@@ -7,6 +7,8 @@
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
+#include "Views/VtkColorMap.h"
+
 #include "vtkHighOrderCalculator.h"
 
 #include <fmt/format.h>
@@ -143,6 +145,7 @@ void AddExact(nlohmann::ordered_json& header, const RenderOptions& options, cons
       { { "name", name }, { "components", model.GetField(name).values.components } });
   }
   header["fields"] = std::move(fields);
+  header["maps"] = ColorMapNames();
   const Field* shown = shot.scene.layers.front().field;
   header["field"] = shown != nullptr ? nlohmann::ordered_json(shown->name) : nullptr;
   header["times"] = shot.input.times;

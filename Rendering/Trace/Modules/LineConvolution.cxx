@@ -288,12 +288,12 @@ private:
     {
       next = heads;
       Advance(heads, heads, 0.5 * sign, next);
-      const std::vector<StreamPoint> halves = next;
-      Advance(heads, halves, sign, next);
+      const std::vector<StreamPoint> middles = next;
+      Advance(heads, middles, sign, next);
       std::size_t kept = 0;
       for (std::size_t k = 0; k < heads.size(); ++k)
       {
-        if (halves[k].isValid && next[k].isValid &&
+        if (middles[k].isValid && next[k].isValid &&
           glm::distance(next[k].x, heads[k].x) < kMaxStep * heads[k].pixel)
         {
           Lines[line[k]].push_back(PixelOf(next[k].at));
