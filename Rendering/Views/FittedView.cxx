@@ -35,7 +35,11 @@ namespace
 constexpr double kFilled = 0.92;
 constexpr int kRounds = 5;
 constexpr int kPasses = 2;
-constexpr double kSmallSide = 100.0;
+/// Passes, where the first ones show too few points.
+constexpr int kMaxPasses = 5;
+constexpr std::size_t kFewPoints = 30;
+/// Number of pixels of the small image.
+constexpr double kSmallArea = 1e4;
 
 CameraView FitToPoints(
   std::span<const Vec3> points, const CameraView& all, int width, int height, bool keepScale)
@@ -51,6 +55,17 @@ CameraView FitToPoints(
   const double slope = kFilled * std::tan(0.5 * glm::radians(all.viewAngle));
   CameraView view = all;
   double distance = glm::distance(all.position, all.focalPoint);
+  // A focal point far in front of all points could not be approached.
+  double nearest = -std::numeric_limits<double>::infinity();
+  for (const Vec3& point : points)
+  {
+    nearest = std::max(nearest, glm::dot(point - view.focalPoint, towards));
+  }
+  if (nearest < 0.0)
+  {
+    view.focalPoint += nearest * towards;
+    distance -= nearest;
+  }
   // In a perspective view, the middle of the points' image is not the image of their middle. Each
   // round moves the view to the former, and as near as possible.
   for (int round = 0; round < kRounds; ++round)
@@ -113,7 +128,7 @@ Vec3 UsualUp(const Vec3& towardsViewer)
 
 std::array<int, 2> SmallSize(int width, int height)
 {
-  const double part = std::min(1.0, kSmallSide / std::max(width, height));
+  const double part = std::min(1.0, std::sqrt(kSmallArea / width / height));
   const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
   return { side(width), side(height) };
 }
@@ -122,9 +137,14 @@ CameraView FitView(
   const CameraView& all, int width, int height, bool keepScale, const SeenFrom& seen)
 {
   CameraView view = all;
-  for (int look = 0; look < kPasses; ++look)
+  for (int look = 0, passes = kPasses; look < passes; ++look)
   {
-    view = FitToPoints(seen(view), view, width, height, keepScale);
+    const std::vector<Vec3> points = seen(view);
+    view = FitToPoints(points, view, width, height, keepScale);
+    // The next pass shows more of a small surface.
+    passes = !points.empty() && points.size() < kFewPoints && look + 1 == passes
+      ? std::min(passes + 1, kMaxPasses)
+      : passes;
   }
   return view;
 }

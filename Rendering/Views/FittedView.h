@@ -35,9 +35,10 @@ class Surface;
 using SeenFrom = std::function<std::vector<Vec3>(const CameraView&)>;
 
 /// Moves the view nearer, or sideways, so that the visible points fill most of an image of width x
-/// height pixels. Uses two passes: the second one resolves points that the first one showed in a
-/// few pixels. `keepScale`: a parallel view keeps its scale. Without visible points, or with a
-/// single one, returns the view unchanged. The view is one that a vtkCamera can hold (AsHeld).
+/// height pixels. Uses two passes, and up to five for surfaces in a few pixels: each resolves
+/// points that the one before showed coarsely. `keepScale`: a parallel view keeps its scale.
+/// Without visible points, or with a single one, returns the view unchanged. The view is one that a
+/// vtkCamera can hold (AsHeld).
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT CameraView FitView(
   const CameraView& all, int width, int height, bool keepScale, const SeenFrom& seen);
 } // namespace pixelexact

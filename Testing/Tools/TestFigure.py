@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """render --figure, read back from the picture."""
 
+import re
 import shutil
 import struct
 import subprocess
@@ -77,6 +78,16 @@ class Figure(ToolTest):
         np.testing.assert_array_equal(self.picture(found), read_image(self.folder / "bare.png"))
         self.assertEqual(read_buffers(self.folder / "cut.vti")["Value"].shape,
             (found["height"], found["width"]))
+
+    def test_layouts_of_an_animation_are_one(self):
+        """Arrows appear in some pictures, and the bar stays where it is."""
+        self.succeeds("render", self.cube, "--field", "w", "--sweep", "x=0.05:0.95:3", "--range", "0.3,0.7", "--figure",
+            "--size", SIZE, "-o", self.folder / "s_%d.png", "-q")
+        bars = []
+        for k in range(3):
+            self.image = self.folder / f"s_{k}.png"
+            bars.append(self.bar()[:2])
+        self.assertLessEqual(np.ptp(bars, axis=0).max(), 1, bars)
 
     def test_the_mesh_determines_height_and_legend(self):
         """A box of sides 1, 3 and 12 has cuts that are wide, tall and nearly square."""
@@ -287,6 +298,79 @@ class Figure(ToolTest):
         np.testing.assert_allclose(colors[0], (240, 228, 66), atol=6)
         np.testing.assert_allclose(colors[-1], (75, 0, 80), atol=6)
 
+    def grid(self, point, value):
+        """One hexahedron whose corners and values are functions of those of the unit cube."""
+        path = self.folder / "grid.vtu"
+        points = [point(p) for p in CUBE]
+        path.write_text(plain_grid(points, [(12, list(range(8)))], [("u", [value(p) for p in CUBE])]), encoding="utf-8")
+        return path
+
+    def words(self, source, *arguments):
+        """The texts of a figure as PDF, with their boxes in the page, and the page's size."""
+        path = self.folder / "words.pdf"
+        self.succeeds("render", source, "--figure", "-o", path, *arguments)
+        html = subprocess.run(["pdftotext", "-bbox", path, "-"], stdout=subprocess.PIPE, check=True, text=True).stdout
+        page = [float(n) for n in re.search(r'<page width="([\d.]+)" height="([\d.]+)"', html).groups()]
+        found = re.findall(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*?)</word>', html)
+        return [(word, *map(float, box)) for *box, word in found], page
+
+    @unittest.skipUnless(shutil.which("pdftotext"), "pdftotext is not installed")
+    def test_texts_are_within_the_figure(self):
+        torus = case("toroid_hex_g3_p6")
+        long_title = "A very long title " * 20
+        far = self.grid(lambda p: [1e6 + x for x in p], lambda p: p[0])
+        for source, *words in [
+            (torus, "--plane", "y", "--axes", "none"),
+            (torus, "--boundary", "--view", "-y", "--size", "1000x1000"),
+            (torus, "--boundary", "--view", "+z", "--size", "400x400", "--range=-1234.5,9876.5"),
+            (torus, "--plane", "z", "--title", long_title),
+            (torus, "--plane", "z", "--size", "250x900"),
+            (torus, "--plane", "z", "--length-unit", "m" * 200),
+            (torus, "--plane", "z", "--range", "1,1.000000001"),
+            (far, "--plane", "z"),
+        ]:
+            texts, (width, height) = self.words(source, *words)
+            self.assertGreater(len(texts), 4)
+            for word, left, top, right, bottom in texts:
+                inside = left > -0.5 and right < width + 0.5 and top > -2 and bottom < height + 2
+                self.assertTrue(inside, (words, word, left, top, right, bottom, width, height))
+
+    @unittest.skipUnless(shutil.which("pdftotext"), "pdftotext is not installed")
+    def test_ends_are_to_a_thousandth_of_the_range(self):
+        rng = np.random.default_rng(5)
+        spans = [(0.9995, 1.0005), (999.9996, 1000.0004), (28.441, 28.44235), (175188.0, 175399.3)]
+        spans += [(m, m * (1 + 10.0 ** -e)) for m, e in zip(rng.uniform(1, 1e4, 6).round(3), range(1, 7))]
+        for low, high in spans:
+            texts, _ = self.words(self.cube, "--field", "w", "--plane", "z", "--axes", "none", "--range", f"{low!r},{high!r}")
+            numbers = []
+            for word, *_ in texts:
+                try:
+                    numbers.append(float(word.replace("\N{MINUS SIGN}", "-")))
+                except ValueError:
+                    pass
+            for end in (low, high):
+                self.assertLess(np.abs(np.array(numbers) - end).min(), 0.0011 * (high - low), (low, high, numbers))
+
+    def test_extreme_values_and_ranges(self):
+        for value in [lambda p: 5e-324 * (4 * p[2] + 2 * p[1] + p[0]), lambda p: 1e-310 * p[0], lambda p: 1.7e308,
+                      lambda p: 0.0, lambda p: -3e-12]:
+            self.summary("render", self.grid(list, value), "--plane", "z", "--figure", "--size", SIZE, "-o", self.image)
+        for span in ["0,1e-307", "0,1.7e308", "1e-300,1e300"]:
+            self.figure("--range", span)
+        self.figure("--log", "--range", "1e-300,1e300", field="u")
+
+    def test_long_meshes_fill_the_picture(self):
+        for length in (5, 12, 40, 200):
+            long = self.grid(lambda p, a=length: [a * p[0], p[1], p[2]], lambda p: p[0])
+            found = self.summary("render", long, "--plane", "z", "--figure", "--color", "1,0,0", "-o", self.image)
+            columns = np.nonzero((self.picture(found) != 255).any(axis=2))[1]
+            self.assertGreater(np.ptp(columns), 0.85 * found["width"], length)
+        # A section near the end that is farther from the viewer.
+        long = self.grid(lambda p: [30.0 * p[0], p[1], p[2]], lambda p: p[0])
+        found = self.summary("render", long, "--plane", "x=10%", "--figure", "--color", "1,0,0", "-o", self.image)
+        columns = np.nonzero((self.picture(found) != 255).any(axis=2))[1]
+        self.assertGreater(np.ptp(columns), 0.8 * found["width"])
+
     def test_refused(self):
         base = ["render", self.cube, "--field", "w", "-o", self.image]
         for size in ["30x400", "400x60", "20x20"]:
@@ -295,8 +379,14 @@ class Figure(ToolTest):
         self.fails(2, *base, "--figure", "--font-size", "3", names=["--font-size"])
         self.fails(2, *base, "--unit", "m", names=["--figure"])
         self.fails(2, *base, "--figure", "--axes", "both", names=["--axes", "coordinates"])
-        self.fails(2, *base, "--figure", "--bar-ticks", "x", names=["--bar-ticks"])
-        self.fails(2, *base, "--figure", "--size", "40000x100", names=["--figure", "32767"])
+        self.fails(2, *base, "--figure", "--bar-ticks", "x", names=["--bar-ticks", "number of ticks"])
+        for words in [["--color", "1,0,0"], ["--show", "validity"], ["--contours", "3", "--contours-only"]]:
+            self.fails(2, *base, "--figure", "--unit", "m", *words, names=["--unit", "no effect", "bar"])
+        told = self.succeeds(*base, "--figure", "--axes", "coordinates", "--view", "iso", "--length-unit", "m").stderr
+        self.assertIn("--axes coordinates", told)
+        self.assertIn("--length-unit", told)
+        self.assertIn("--bar-ticks", self.succeeds(*base, "--figure", "--bar-ticks", "5,6").stderr)
+        self.fails(2, *base, "--figure", "--size", "40000x100", names=["--figure", "32767", "40000"])
         self.fails(2, *base, "--edges", "0.5pt", names=["--edges", "points", "--size"])
         self.fails(2, *base, "--edges", "40pt", "--size", "85x70mm", names=["--edges", "167 pixels", "32"])
 

@@ -181,6 +181,10 @@ void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
   {
     throw UsageError("--stride: differences are of each pixel; leave it out");
   }
+  if (!IsGiven(*shot.command, "--size"))
+  {
+    shot.size.height = 0; // which the layout determines
+  }
   shot.size = AtDpi(shot.size, kDefaultDpi);
   shot.CheckRangeOfOne();
   if (shot.colors.Range().of == RangeRule::Of::Field)

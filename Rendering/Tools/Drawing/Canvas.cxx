@@ -119,6 +119,25 @@ void Canvas::Write(
   Fonts.Write(Context, valid, left, Down(y));
 }
 
+void Canvas::WriteWithin(
+  const std::string& text, double x, double y, TextAnchor anchor, double room, const Rgba& color)
+{
+  const double size = FontSize();
+  if (const double width = WidthOf(text); width > room)
+  {
+    cairo_set_font_size(Context, size * std::max(room, 1.0) / width);
+  }
+  Write(text, x, y, anchor, color);
+  cairo_set_font_size(Context, size);
+}
+
+double Canvas::FontSize() const
+{
+  cairo_matrix_t font;
+  cairo_get_font_matrix(Context, &font);
+  return font.xx;
+}
+
 void Canvas::WriteTurned(const std::string& text, const CanvasPoint& at, double angle, int fontSize,
   const Rgba& color, const Rgba& halo)
 {
@@ -126,9 +145,7 @@ void Canvas::WriteTurned(const std::string& text, const CanvasPoint& at, double 
   cairo_save(Context);
   cairo_translate(Context, at[0], Down(at[1]));
   cairo_rotate(Context, -angle * std::numbers::pi / 180.0);
-  cairo_matrix_t own;
-  cairo_get_font_matrix(Context, &own);
-  const double size = fontSize > 0 ? fontSize : own.xx;
+  const double size = fontSize > 0 ? fontSize : FontSize();
   cairo_set_font_size(Context, size);
   const std::string valid = ValidUtf8(text);
   const double left = -0.5 * Fonts.WidthOf(Context, valid);

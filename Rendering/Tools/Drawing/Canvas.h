@@ -39,11 +39,16 @@ public:
   /// Draws an outline, one pixel wide, around the rectangle of Fill.
   void Frame(int x, int y, int width, int height, const Rgba& color);
   void Write(const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color);
+  /// The same in letters that are small enough for the text to be no wider than `room`.
+  void WriteWithin(
+    const std::string& text, double x, double y, TextAnchor anchor, double room, const Rgba& color);
   /// Writes a text about its middle, turned anticlockwise by an angle in degrees. `fontSize` in
   /// pixels, 0: that of the canvas. `halo`: the colour of a rim around the letters; alpha 0: none.
   void WriteTurned(const std::string& text, const CanvasPoint& at, double angle, int fontSize,
     const Rgba& color, const Rgba& halo = {});
   [[nodiscard]] double WidthOf(const std::string& text);
+  /// Size of letters, in pixels.
+  [[nodiscard]] double FontSize() const;
 
   /// Draws within a rectangle alone, from the origin, until Unclip.
   void Clip(int width, int height);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 namespace pixelexact
@@ -14,39 +15,21 @@ namespace
 /// Tolerance, relative to a step, within which a value counts as an end of the range.
 constexpr double kRounding = 1e-9;
 constexpr int kMaxDigits = 17;
+/// Steps of shorter ranges would be denormal numbers.
+constexpr double kMinLength = 1e-300;
 /// Numbers below it have no exponent.
 constexpr double kMaxPlain = 1e6;
 
 /// "-1.5e-07" with minus signs of print and without zeros before the exponent; "90", not "9e+01".
 std::string Printed(double value, int digits)
 {
-  constexpr const char* kMinus = "\u2212";
   std::string plain = fmt::format("{:.{}g}", value, digits);
-  if (const double rounded = std::stod(plain);
-      std::fabs(rounded) >= 1.0 && std::fabs(rounded) < kMaxPlain &&
-      plain.find('e') != std::string::npos)
+  if (const double rounded = std::strtod(plain.c_str(), nullptr); std::fabs(rounded) >= 1.0 &&
+      std::fabs(rounded) < kMaxPlain && plain.find('e') != std::string::npos)
   {
     plain = fmt::format("{:.0f}", rounded);
   }
-  std::string text;
-  text.reserve(plain.size() + 4);
-  for (std::size_t i = 0; i < plain.size(); ++i)
-  {
-    const bool isOfExponent = i > 0 && plain[i - 1] == 'e';
-    if (plain[i] == '-')
-    {
-      text += kMinus;
-    }
-    else if (plain[i] != '+')
-    {
-      text += plain[i];
-    }
-    if (isOfExponent && i + 2 < plain.size() && plain[i + 1] == '0')
-    {
-      ++i;
-    }
-  }
-  return text;
+  return WithMinus(plain);
 }
 
 /// Ticks in the fewest digits, at least `fewest`, that distinguish them. `reproduced`: and that
@@ -64,7 +47,7 @@ std::vector<Tick> Written(const std::vector<double>& values, int fewest, bool re
     {
       ticks.push_back({ value, Printed(value, digits) });
       texts.insert(ticks.back().text);
-      const double read = std::stod(fmt::format("{:.{}g}", value, digits));
+      const double read = std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
       same = same && (!reproduced || std::fabs(read - value) <= 1e-9 * std::fabs(value));
     }
     if (texts.size() == different.size() && same)
@@ -131,18 +114,55 @@ std::vector<double> Logarithmic(const std::array<double, 2>& range, int most)
 }
 } // namespace
 
+std::string WithMinus(const std::string& number)
+{
+  constexpr const char* kMinus = "\u2212";
+  std::string text;
+  text.reserve(number.size() + 4);
+  for (std::size_t i = 0; i < number.size(); ++i)
+  {
+    const bool isOfExponent = i > 0 && number[i - 1] == 'e';
+    if (number[i] == '-')
+    {
+      text += kMinus;
+    }
+    else if (number[i] != '+')
+    {
+      text += number[i];
+    }
+    if (isOfExponent && i + 2 < number.size() && number[i + 1] == '0')
+    {
+      ++i;
+    }
+  }
+  return text;
+}
+
+double PartOfRange(const std::array<double, 2>& range, bool logarithm, double value)
+{
+  // Quotients of the ends may overflow, their logarithms do not.
+  return logarithm
+    ? (std::log(value) - std::log(range[0])) / (std::log(range[1]) - std::log(range[0]))
+    : (value - range[0]) / (range[1] - range[0]);
+}
+
+double ValueInRange(const std::array<double, 2>& range, bool logarithm, double part)
+{
+  const double value = logarithm ? std::exp(std::lerp(std::log(range[0]), std::log(range[1]), part))
+                                 : std::lerp(range[0], range[1], part);
+  return std::clamp(value, range[0], range[1]);
+}
+
 std::vector<Tick> TicksOfBands(
   const std::array<double, 2>& range, bool logarithm, int bands, int most)
 {
   const int stride = std::max(1, (bands + most) / std::max(1, most));
   std::vector<double> values;
-  for (int i = 0; i <= bands; i += stride)
+  for (int i = 0; i < bands; i += stride)
   {
-    const double part = static_cast<double>(i) / bands;
-    values.push_back(i == bands ? range[1]
-        : logarithm             ? range[0] * std::pow(range[1] / range[0], part)
-                                : std::lerp(range[0], range[1], part));
+    values.push_back(ValueInRange(range, logarithm, static_cast<double>(i) / bands));
   }
+  values.push_back(range[1]);
   const double length = range[1] - range[0];
   for (double& value : values)
   {
@@ -154,6 +174,10 @@ std::vector<Tick> TicksOfBands(
 
 std::vector<Tick> RoundTicks(const std::array<double, 2>& range, int most)
 {
+  if (!(range[1] - range[0] > kMinLength) || !std::isfinite(range[1] - range[0]))
+  {
+    return TicksAt({ range[0], range[1] });
+  }
   std::vector<double> values = Linear(range, most);
   while (values.size() < 2)
   {
@@ -173,21 +197,20 @@ std::vector<Tick> TicksOfBar(const std::array<double, 2>& range, bool logarithm,
   {
     return TicksAt({ range[0] });
   }
-  const bool powers = logarithm && range[0] > 0.0;
-  const auto partOf = [&](double value)
-  {
-    return powers ? std::log(value / range[0]) / std::log(range[1] / range[0])
-                  : (value - range[0]) / (range[1] - range[0]);
-  };
   const double room = 1.0 / std::max(most, 2);
   std::vector<Tick> ticks = TicksWithin(range, logarithm, most);
   std::erase_if(ticks,
     [&](const Tick& tick)
     {
-      const double part = partOf(tick.value);
+      const double part = PartOfRange(range, logarithm && range[0] > 0.0, tick.value);
       return !(part > 0.7 * room && part < 1.0 - 0.7 * room);
     });
-  const std::vector<Tick> ends = TicksAt({ range[0], range[1] });
+  // Rounding changes the ends by at most a thousandth of the range.
+  const double size = std::max(std::fabs(range[0]), std::fabs(range[1]));
+  const double last = std::floor(std::log10(range[1] - range[0]) - std::log10(500.0));
+  const int digits =
+    static_cast<int>(std::clamp(std::floor(std::log10(size)) + 1.0 - last, 4.0, 17.0));
+  const std::vector<Tick> ends = Written({ range[0], range[1] }, digits, false);
   ticks.insert(ticks.begin(), ends.front());
   ticks.push_back(ends.back());
   return ticks;
@@ -198,7 +221,8 @@ std::vector<Tick> TicksWithin(const std::array<double, 2>& range, bool logarithm
   const bool decades = logarithm && range[0] > 0.0 && range[1] >= 10.0 * range[0];
   const double size = std::max(std::fabs(range[0]), std::fabs(range[1]));
   std::vector<double> values{ range[0] };
-  if (range[1] - range[0] > 1e-12 * size)
+  if (const double length = range[1] - range[0];
+      length > 1e-12 * size && length > kMinLength && std::isfinite(length))
   {
     values = decades ? Logarithmic(range, most) : Linear(range, most);
     if (values.size() < 2)

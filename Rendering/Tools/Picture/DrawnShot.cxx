@@ -11,6 +11,8 @@
 #include "Picture/RenderOptions.h"
 #include "Picture/SharedTrace.h"
 
+#include "Views/VtkLook.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,6 +27,9 @@ namespace
 {
 /// Size of the canvas's letters where no text has that size.
 constexpr int kNoLetters = 10;
+/// Meanings of the colours of EdgeStyle::ByKind, in the order of FaceKind.
+constexpr std::array kFaceKinds{ "edge: boundary", "edge: one face", "edge: other sizes",
+  "edge: part of a face" };
 } // namespace
 
 Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress)
@@ -250,6 +255,7 @@ void DrawnShot::DrawFigure(Canvas& canvas) const
     content.bar = FigureBar{ "jump of " + Of.scene.layers.front().field->name,
       { 0.0, Told.LargestJump() }, JumpColors(Told.LargestJump()).Map() };
   }
+  AddSolidLayers(content);
   if (Told.UndecidedPixels() > 0)
   {
     content.marks.push_back({ *Colors->GetView().appearance.undecided, "undecided" });
@@ -262,6 +268,31 @@ void DrawnShot::DrawFigure(Canvas& canvas) const
       { Options.arrows.DrawOne(canvas, from, to); } };
   }
   Options.figure.Draw(canvas, content);
+}
+
+void DrawnShot::AddSolidLayers(FigureContent& content) const
+{
+  if (Told.IsInPlace())
+  {
+    return;
+  }
+  const std::size_t layers = Of.scene.layers.size();
+  const std::size_t walls = Options.shot.surfaces.CountWalls();
+  for (std::size_t k = layers - std::min(walls, layers); k < layers; ++k)
+  {
+    if (const auto& color = Of.settings[k].color;
+        color && std::ranges::find(Pixels.centres.layer, k) != Pixels.centres.layer.end())
+    {
+      content.marks.push_back({ ToRgba(color->data()), "jump at a face" });
+    }
+  }
+  if (const auto& edges = Of.appearance.edges; edges && Options.shot.edgesByKind)
+  {
+    for (std::size_t kind = 0; kind < kFaceKinds.size(); ++kind)
+    {
+      content.marks.push_back({ edges->colors[kind], kFaceKinds[kind] });
+    }
+  }
 }
 
 void DrawnShot::AddNoLogarithm(FigureContent& content) const

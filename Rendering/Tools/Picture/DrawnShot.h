@@ -76,6 +76,8 @@ private:
   /// Draws the picture with its paths and, where there is a layout, the figure.
   void DrawOn(Canvas& canvas) const;
   void DrawFigure(Canvas& canvas) const;
+  /// Adds the colours of visible walls at jumps, and of edges by kind.
+  void AddSolidLayers(FigureContent& content) const;
   /// Adds the colour of values that have no logarithm, where there are any.
   void AddNoLogarithm(FigureContent& content) const;
 

@@ -51,7 +51,8 @@ std::vector<PixelStep> StepsOf(const SampleBuffers& of)
   const auto differ = [&of](std::size_t p, std::size_t q)
   {
     const auto unknown = static_cast<std::uint8_t>(PixelVerdict::Unknown);
-    return of.element[p] != of.element[q] && of.verdict[p] != unknown && of.verdict[q] != unknown;
+    return of.element[p] != of.element[q] && of.element[p] >= 0 && of.element[q] >= 0 &&
+      of.verdict[p] != unknown && of.verdict[q] != unknown;
   };
   std::vector<PixelStep> steps;
   for (int j = 0; j < of.height; ++j)

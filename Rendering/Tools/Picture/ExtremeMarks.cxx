@@ -5,6 +5,7 @@
 #include "Cuts/IntegralPieces.h"
 #include "Cuts/SurfaceStatistics.h"
 #include "Drawing/Canvas.h"
+#include "Drawing/Ticks.h"
 #include "Picture/Projection.h"
 #include "Scene/Shot.h"
 
@@ -15,8 +16,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pixelexact
 {
@@ -83,7 +88,45 @@ bool IsHidden(const Frame& frame, const ProjectedPoint& at, const Projection& pr
   return farthest < at.depth - kOwnDepth * projection.PixelAt(at.depth);
 }
 
-void DrawMark(Canvas& canvas, const CanvasPoint& at, const std::string& text, int font, int width)
+/// A rectangle of a picture.
+struct MarkBox
+{
+  double left;
+  double bottom;
+  double right;
+  double top;
+
+  [[nodiscard]] bool Meets(const MarkBox& other) const
+  {
+    return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
+  }
+};
+
+/// The place of a label beside a mark, within the picture and off the boxes where possible.
+MarkBox PlaceOf(const CanvasPoint& at, double length, int font, const Frame& frame,
+  const std::vector<MarkBox>& taken)
+{
+  const double half = 0.7 * font;
+  const auto box = [&](double left, double middle) {
+    return MarkBox{ left - 2.0, middle - half, left + length + 3.0, middle + half };
+  };
+  const double right = at[0] + font;
+  const double left = at[0] - font - length;
+  const double above = at[1] + 1.5 * font;
+  const double below = at[1] - 1.5 * font;
+  const std::array places{ box(right, at[1]), box(left, at[1]), box(right, above),
+    box(right, below), box(left, above), box(left, below) };
+  const auto isFree = [&](const MarkBox& place)
+  {
+    return place.left >= 0.0 && place.right <= frame.width && place.bottom >= 0.0 &&
+      place.top <= frame.height &&
+      std::ranges::none_of(taken, [&](const MarkBox& other) { return other.Meets(place); });
+  };
+  const auto* const found = std::ranges::find_if(places, isFree);
+  return found != places.end() ? *found : right + length > frame.width ? places[1] : places[0];
+}
+
+void DrawRing(Canvas& canvas, const CanvasPoint& at, int font)
 {
   constexpr int kSides = 32;
   const double radius = 0.5 * font;
@@ -96,12 +139,13 @@ void DrawMark(Canvas& canvas, const CanvasPoint& at, const std::string& text, in
   }
   canvas.Line(ring, 0.35 * font, kHalo);
   canvas.Line(ring, 0.15 * font, kRing);
-  const double length = canvas.WidthOf(text);
-  const bool isLeft = at[0] + font + length > width;
-  const double from = isLeft ? at[0] - font - length : at[0] + font;
-  canvas.Fill(static_cast<int>(from) - 2, static_cast<int>(at[1] - 0.7 * font),
-    static_cast<int>(length) + 5, static_cast<int>(1.4 * font), kHalo);
-  canvas.Write(text, from, at[1], TextAnchor::Left, kRing);
+}
+
+void DrawLabel(Canvas& canvas, const MarkBox& box, const std::string& text)
+{
+  canvas.Fill(static_cast<int>(box.left), static_cast<int>(box.bottom),
+    static_cast<int>(box.right - box.left), static_cast<int>(box.top - box.bottom), kHalo);
+  canvas.Write(text, box.left + 2.0, 0.5 * (box.bottom + box.top), TextAnchor::Left, kRing);
 }
 } // namespace
 
@@ -131,6 +175,7 @@ void ExtremeMarks::Draw(Canvas& canvas, const Shot& shot, const Frame& frame,
   const std::vector<SurfaceExtremes>& all, int font)
 {
   const Projection projection(shot.view, frame.width, frame.height);
+  std::vector<std::pair<CanvasPoint, std::string>> marks;
   for (const SurfaceExtremes& surface : all)
   {
     for (const bool isMaximum : { false, true })
@@ -151,9 +196,21 @@ void ExtremeMarks::Draw(Canvas& canvas, const Shot& shot, const Frame& frame,
             Short(extreme.x.y), Short(extreme.x.z)));
         continue;
       }
-      DrawMark(
-        canvas, at->at, fmt::format("{} {}", name, Short(extreme.value, 4)), font, frame.width);
+      marks.emplace_back(at->at, fmt::format("{} {}", name, WithMinus(Short(extreme.value, 4))));
     }
+  }
+  std::vector<MarkBox> taken;
+  taken.reserve(2 * marks.size());
+  for (const auto& [at, text] : marks)
+  {
+    DrawRing(canvas, at, font);
+    taken.push_back(
+      { at[0] - 0.7 * font, at[1] - 0.7 * font, at[0] + 0.7 * font, at[1] + 0.7 * font });
+  }
+  for (const auto& [at, text] : marks)
+  {
+    taken.push_back(PlaceOf(at, canvas.WidthOf(text), font, frame, taken));
+    DrawLabel(canvas, taken.back(), text);
   }
 }
 } // namespace pixelexact

@@ -37,6 +37,8 @@ constexpr double kSmallestPoints = 4.0;
 constexpr int kTitle = 3;
 /// Smallest height of a figure with a column, in units of the font's size.
 constexpr int kLowest = 18;
+/// Smallest width of a figure with a strip.
+constexpr int kNarrowest = 20;
 /// Aspect above which a figure whose height is not given has its legend below the picture.
 constexpr double kWide = 2.2;
 /// Smallest side of a picture, in pixels.
@@ -78,7 +80,7 @@ FigureLayout Divide(
   const int strip = FigureLegend::kStrip * font;
   if (size.height == 0)
   {
-    layout.legendBelow = aspect > kWide;
+    layout.legendBelow = aspect > kWide && size.width >= kNarrowest * font;
     const int width = layout.legendBelow ? below : beside;
     const int height = static_cast<int>(std::clamp(width / aspect, 0.1 * width, 1.6 * width));
     layout.size.height =
@@ -92,7 +94,8 @@ FigureLayout Divide(
     // The legend is where it leaves more room to the mesh.
     const auto scale = [aspect](int across, int up)
     { return std::min(across / aspect, static_cast<double>(up)); };
-    layout.legendBelow = scale(below, height - strip) > 1.1 * scale(beside, height);
+    layout.legendBelow =
+      size.width >= kNarrowest * font && scale(below, height - strip) > 1.1 * scale(beside, height);
   }
   layout.picture = { layout.legendBelow ? below : beside,
     layout.legendBelow ? height - strip : height, {} };
@@ -103,7 +106,8 @@ FigureLayout Divide(
 bool HasRoom(const FigureLayout& layout)
 {
   return layout.picture.width >= kMin && layout.picture.height >= kMin &&
-    (layout.legendBelow || layout.size.height >= kLowest * layout.font);
+    (layout.legendBelow ? layout.size.width >= kNarrowest * layout.font
+                        : layout.size.height >= kLowest * layout.font);
 }
 
 /// Texts of --axes, in the order of FigureOptions::Axes.
@@ -123,6 +127,10 @@ void FigureOptions::AddTo(CLI::App& command)
   Bind(command, "--bar-ticks",
     [this](const std::string& text)
     {
+      if (text.find_first_not_of("0123456789.,+-eE") != std::string::npos)
+      {
+        Refuse("--bar-ticks", text, "the largest number of ticks, or values with ',' between them");
+      }
       const ContourRule ticks = ReadContours("--bar-ticks", text, ',');
       TickCount = ticks.count > 0 ? std::optional(ticks.count) : std::nullopt;
       TickValues = ticks.values;
@@ -148,8 +156,9 @@ int FigureOptions::FontOf(const ImageSize& figure) const
   // A point of print has a length in pixels where the figure has a size in inches.
   const double point = figure.inches ? figure.width / (*figure.inches)[0] / kPointsPerInch : 1.0;
   const double height = figure.height > 0 ? figure.height : 0.7 * figure.width;
-  const double usual =
-    figure.inches ? kDefaultPoints * point : std::clamp(height / 40.0, 10.0, kLargestFont);
+  const double usual = figure.inches
+    ? kDefaultPoints * point
+    : std::clamp(std::min(height / 40.0, figure.width / 30.0), 10.0, kLargestFont);
   const double size = FontSize ? *FontSize * (InPoints ? point : 1.0) : usual;
   return static_cast<int>(std::clamp(size, kSmallestFont, kLargestFont));
 }
@@ -162,8 +171,8 @@ void FigureOptions::Check(const ImageSize& size) const
   }
   if (Asked && std::max(size.width, size.height) > RasterCanvas::kMaxSide)
   {
-    throw UsageError(fmt::format("--figure: {} x {} pixels; at most {} to a side", size.width,
-      size.height, RasterCanvas::kMaxSide));
+    throw UsageError(fmt::format("--figure: at most {} pixels to a side, and --size has {}",
+      RasterCanvas::kMaxSide, std::max(size.width, size.height)));
   }
   const int font = FontOf(size);
   const auto hasRoom = [&](double aspect)
@@ -182,13 +191,18 @@ FigureLayout FigureOptions::LayOut(const ImageSize& size, const Shot& shot, bool
 {
   const int font = FontOf(size);
   const double aspect = AspectOfBox(shot);
-  if (Which == Axes::Coordinates && !turns && HasCoordinates(shot))
+  if (Which.value_or(Axes::Coordinates) == Axes::Coordinates && !turns && HasCoordinates(shot))
   {
     const FigureLayout layout = Divide(size, font, !Title.empty(), aspect, true);
     if (HasRoom(layout))
     {
       return layout;
     }
+  }
+  if (Which == Axes::Coordinates)
+  {
+    Note("--axes coordinates: this view has none, because it is oblique or turns, shows several "
+         "surfaces in perspective, or has no room for them");
   }
   return Divide(size, font, !Title.empty(), aspect, false);
 }
@@ -198,9 +212,19 @@ std::vector<FigureBar> FigureOptions::BarsOf(const FigureContent& content) const
   const Shot& shot = content.shot;
   const ColorOptions& colors = content.colors;
   std::vector<FigureBar> bars;
+  const auto nameOf = [&](const std::string& own, const std::string& unitInFile)
+  {
+    const std::string& unit = Unit.empty() ? unitInFile : Unit;
+    const std::string& name = !BarTitle.empty() && bars.empty() ? BarTitle : own;
+    return unit.empty() ? name : name + " [" + unit + "]";
+  };
   if (content.bar)
   {
-    bars.push_back(*content.bar);
+    FigureBar bar = *content.bar;
+    bar.name = nameOf(bar.name, {});
+    bar.ticks = TickValues;
+    bar.tickCount = TickCount;
+    bars.push_back(std::move(bar));
   }
   const std::vector<ValueRange>& ranges = content.appearance.Ranges();
   std::vector<std::size_t> shown; // the first layer of each bar
@@ -223,27 +247,44 @@ std::vector<FigureBar> FigureOptions::BarsOf(const FigureContent& content) const
       own[other] = ranges[other] && isSame(other) ? ranges[k] : std::nullopt;
     }
     const PixelsBeyond beyond = CountBeyond(content.frame, own, colors.Logarithm());
-    const std::string name =
-      !BarTitle.empty() && bars.empty() ? BarTitle : NameOf(shot.scene.layers[k]);
-    const std::string unit = Unit.empty() ? UnitInFile(shot, shot.scene.layers[k]) : Unit;
-    bars.push_back({ unit.empty() ? name : name + " [" + unit + "]", *ranges[k],
+    const Layer& layer = shot.scene.layers[k];
+    bars.push_back({ nameOf(NameOf(layer), UnitInFile(shot, layer)), *ranges[k],
       content.appearance.Maps()[k], colors.Logarithm() && (*ranges[k])[0] > 0.0,
       { beyond.below > 0, beyond.above > 0 }, colors.Bands(), TickValues, TickCount });
   }
   return bars;
 }
 
+void FigureOptions::WarnOfTicks(const std::vector<FigureBar>& bars) const
+{
+  const auto isOnBar = [&bars](double value)
+  {
+    return std::ranges::any_of(bars,
+      [value](const FigureBar& bar) { return value >= bar.range[0] && value <= bar.range[1]; });
+  };
+  if (!bars.empty() && !TickValues.empty() && std::ranges::none_of(TickValues, isOnBar))
+  {
+    Note(fmt::format("--bar-ticks: none of the values is within {} to {}", Short(bars[0].range[0]),
+      Short(bars[0].range[1])));
+  }
+}
+
 void FigureOptions::DrawLegend(FigureLegend& legend, const FigureContent& content) const
 {
   const Shot& shot = content.shot;
-  if (Which != Axes::None && !shot.layout->hasCoordinates)
+  const bool hasCoordinates = shot.layout->hasCoordinates;
+  if (Which != Axes::None && !hasCoordinates)
   {
     legend.AddDirections(shot.view);
   }
   const double unit = LengthOfPixel(shot);
-  if (!shot.layout->hasCoordinates && unit > 0.0 && std::isfinite(unit))
+  if (!hasCoordinates && unit > 0.0 && std::isfinite(unit))
   {
     legend.AddScale(unit, LengthUnit);
+  }
+  else if (!hasCoordinates && !LengthUnit.empty())
+  {
+    Note("--length-unit has no effect: an oblique view has neither coordinates nor a scale");
   }
   const FrameCounters& pixels = content.frame.counters;
   if (pixels.unknown > 0)
@@ -266,12 +307,13 @@ void FigureOptions::DrawLegend(FigureLegend& legend, const FigureContent& conten
   if (!shot.input.times.empty())
   {
     const auto step = static_cast<std::size_t>(shot.input.step);
-    legend.AddText("t = " + Short(shot.input.times[step]));
+    legend.AddText("t = " + WithMinus(Short(shot.input.times[step])));
   }
   if (content.arrow)
   {
     legend.AddArrow(*content.arrow);
   }
+  WarnOfTicks(bars);
   legend.AddBars(bars);
 }
 
@@ -281,12 +323,12 @@ void FigureOptions::Draw(Canvas& canvas, const FigureContent& content) const
   const Rgba ink = InkOn(content.colors.BackgroundColor());
   if (!Title.empty())
   {
-    // The middle of the picture, or where the title ends within the figure.
-    const double half = 0.5 * canvas.WidthOf(Title) + 0.5 * layout.font;
+    // Over the middle of the picture, or where the title ends within the figure.
+    const double room = layout.size.width - static_cast<double>(layout.font);
+    const double half = 0.5 * std::min(canvas.WidthOf(Title), room) + 0.5 * layout.font;
     const double middle = layout.corner[0] + 0.5 * layout.picture.width;
-    const double lowest = std::min(half, 0.5 * layout.size.width);
-    canvas.Write(Title, std::clamp(middle, lowest, layout.size.width - lowest),
-      layout.size.height - 0.5 * kTitle * layout.font, TextAnchor::Centre, ink);
+    canvas.WriteWithin(Title, std::clamp(middle, half, layout.size.width - half),
+      layout.size.height - 0.5 * kTitle * layout.font, TextAnchor::Centre, room, ink);
   }
   if (layout.hasCoordinates)
   {

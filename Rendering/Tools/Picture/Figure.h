@@ -65,13 +65,15 @@ private:
   [[nodiscard]] int FontOf(const ImageSize& figure) const;
   [[nodiscard]] std::vector<FigureBar> BarsOf(const FigureContent& content) const;
   void DrawLegend(FigureLegend& legend, const FigureContent& content) const;
+  /// Reports values of --bar-ticks that are on no bar.
+  void WarnOfTicks(const std::vector<FigureBar>& bars) const;
 
   bool Asked = false;
   std::string Title;
   std::string BarTitle;
   std::string Unit;
   std::string LengthUnit;
-  Axes Which = Axes::Coordinates;
+  std::optional<Axes> Which; ///< none: coordinates where the view has them
   std::optional<int> TickCount;
   std::vector<double> TickValues;
   std::optional<double> FontSize;

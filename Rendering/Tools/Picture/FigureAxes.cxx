@@ -53,12 +53,30 @@ bool HasOneScale(const Shot& shot)
     std::fabs(glm::dot(surface.Normal({ shot.view.focalPoint }), AxesOf(shot.view).forward)) >
     kParallel;
 }
+
+/// Whether coordinates have few digits: their distances are not much smaller than they are.
+bool HasShortNumbers(const Shot& shot, int right, int up)
+{
+  const Box3 box = BoxOf(*shot.input.model);
+  double size = 0.0;
+  double extent = 0.0;
+  for (const int d : { right, up })
+  {
+    size = std::max({ size, std::fabs(box.lower[d]), std::fabs(box.upper[d]) });
+    extent = std::max(extent, box.upper[d] - box.lower[d]);
+  }
+  // Numbers with an exponent have room for fewer digits.
+  const double most = size >= 1e-3 && size < 1e6 ? 1000.0 : 10.0;
+  return size <= most * extent;
+}
 } // namespace
 
 bool HasCoordinates(const Shot& shot)
 {
   const CameraAxes axes = AxesOf(shot.view);
-  return HasOneScale(shot) && AxisAlong(axes.right) && AxisAlong(axes.up);
+  const auto right = AxisAlong(axes.right);
+  const auto up = AxisAlong(axes.up);
+  return HasOneScale(shot) && right && up && HasShortNumbers(shot, right->axis, up->axis);
 }
 
 double LengthOfPixel(const Shot& shot)
@@ -142,12 +160,15 @@ void DrawCoordinates(Canvas& canvas, const FigureLayout& layout, const Shot& sho
     const double across = begin + 0.5 * length;
     if (side == 0)
     {
-      canvas.Write(name, across, layout.corner[1] - 2.7 * font, TextAnchor::Centre, ink);
+      canvas.WriteWithin(
+        name, across, layout.corner[1] - 2.7 * font, TextAnchor::Centre, length, ink);
     }
     else
     {
       const double left = layout.corner[0] - 1.7 * font - widest;
-      canvas.WriteTurned(name, { std::max(left, 0.7 * font), across }, 90.0, 0, ink);
+      const double small = std::min(1.0, length / std::max(canvas.WidthOf(name), 1.0));
+      canvas.WriteTurned(name, { std::max(left, 0.7 * font), across }, 90.0,
+        std::max(1, static_cast<int>(small * font)), ink);
     }
   }
 }

@@ -14,8 +14,8 @@ struct Shot;
 // Lengths and coordinates along the sides of a picture. A picture has one scale if the view is
 // parallel, or if it shows a single plane along the plane's normal.
 
-/// Whether the picture has one scale, and its sides run along axes of coordinates. Reads only the
-/// direction of the view.
+/// Whether the picture has one scale, its sides run along axes of coordinates, and these have few
+/// digits. Reads only the direction of the view.
 [[nodiscard]] bool HasCoordinates(const Shot& shot);
 
 /// The length of a pixel in world units where it is the same in the whole picture, else 0.

@@ -5,8 +5,11 @@
 #include "Picture/Projection.h"
 #include "Scene/Shot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace pixelexact
@@ -20,24 +23,9 @@ constexpr double kTopOfStrip = 6.0;
 constexpr std::size_t kRowsOfStrip = 4;
 constexpr double kNameRow = 1.3;
 constexpr double kBarWidth = 1.2;
+constexpr double kMinBarAcross = 14.0;
+constexpr double kMinBarUpright = 8.0;
 constexpr double kArrow = 1.0;
-
-double ValueAt(const FigureBar& bar, double part)
-{
-  const double value = bar.logarithm ? bar.range[0] * std::pow(bar.range[1] / bar.range[0], part)
-                                     : std::lerp(bar.range[0], bar.range[1], part);
-  return std::clamp(value, bar.range[0], bar.range[1]);
-}
-
-double PartOf(const FigureBar& bar, double value)
-{
-  if (!(bar.range[1] > bar.range[0]))
-  {
-    return 0.5;
-  }
-  return bar.logarithm ? std::log(value / bar.range[0]) / std::log(bar.range[1] / bar.range[0])
-                       : (value - bar.range[0]) / (bar.range[1] - bar.range[0]);
-}
 
 /// The largest of 1, 2 or 5 times a power of ten that is not above a positive number.
 double RoundBelow(double limit)
@@ -53,9 +41,10 @@ std::vector<Tick> TicksOf(const FigureBar& bar, int most)
     std::vector<double> within;
     std::ranges::copy_if(bar.ticks, std::back_inserter(within),
       [&bar](double value) { return value >= bar.range[0] && value <= bar.range[1]; });
+    std::ranges::sort(within);
     return TicksAt(within);
   }
-  const int count = bar.tickCount.value_or(most);
+  const int count = std::min(bar.tickCount.value_or(most), most);
   return bar.bands ? TicksOfBands(bar.range, bar.logarithm, *bar.bands, count)
                    : TicksOfBar(bar.range, bar.logarithm, count);
 }
@@ -163,7 +152,7 @@ void FigureLegend::AddArrow(const FigureArrow& arrow)
     end += length * arrow.pixelsPerValue + 0.6 * Font;
     arrow.draw({ at[0], y }, { at[0] + length * arrow.pixelsPerValue, y });
   }
-  Write(Short(length), { end, y }, room);
+  Write(WithMinus(Short(length)), { end, y }, room);
 }
 
 void FigureLegend::AddDirections(const CameraView& view)
@@ -223,58 +212,89 @@ void FigureLegend::AddScale(double unit, const std::string& name)
   {
     To.Line(CanvasPoint{ x, y - 0.3 * Font }, { x, y + 0.3 * Font }, Pen, Ink);
   }
-  To.Write(Short(length) + (name.empty() ? "" : " " + name), 0.5 * (left + end), y + 0.9 * Font,
-    TextAnchor::Centre, Ink);
+  To.Write(WithMinus(Short(length)) + (name.empty() ? "" : " " + name), 0.5 * (left + end),
+    y + 0.9 * Font, TextAnchor::Centre, Ink);
+}
+
+int FigureLegend::MaxTicks(int length, bool isUpright) const
+{
+  return std::max(2, length / ((isUpright ? 2 : 5) * Font));
 }
 
 void FigureLegend::AddBars(const std::vector<FigureBar>& bars)
 {
-  const auto count = static_cast<double>(std::max<std::size_t>(1, bars.size()));
-  if (Layout.legendBelow)
+  if (Layout.isOfSeries && Layout.legendBelow && Rows == 0)
   {
-    const double first = Layout.corner[0];
-    const double share = (Taken - first) / count;
-    for (std::size_t k = 0; k < bars.size(); ++k)
-    {
-      const double left = first + static_cast<double>(k) * share + 0.5 * Font;
-      const double width = share - 3.0 * Font;
-      Write(bars[k].name, { left, (kTopOfStrip - 0.6) * Font }, width);
-      DrawBar(bars[k],
-        { static_cast<int>(left), 3 * Font, std::max(Font, static_cast<int>(width)),
-          static_cast<int>(kBarWidth * Font) },
-        false);
-    }
-    return;
+    Taken -= kColumn * Font; // other pictures may have rows
   }
+  const double room = Layout.legendBelow
+    ? Taken - Layout.corner[0]
+    : Layout.corner[1] + Layout.picture.height - 0.3 * Font - Taken;
+  const auto most = static_cast<std::size_t>(
+    std::max(1.0, room / ((Layout.legendBelow ? kMinBarAcross : kMinBarUpright) * Font)));
+  const std::size_t count = std::min(bars.size(), most);
+  if (count < bars.size())
+  {
+    Warn(fmt::format(
+      "--figure: {} of {} colour bars have room; choose a larger --size", count, bars.size()));
+  }
+  const double share = room / static_cast<double>(std::max<std::size_t>(1, count));
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    if (Layout.legendBelow)
+    {
+      AddBarBelow(bars[k], Layout.corner[0] + static_cast<double>(k) * share, share);
+    }
+    else
+    {
+      AddBarBeside(bars[k], Taken + room - static_cast<double>(k) * share, share);
+    }
+  }
+}
+
+void FigureLegend::AddBarBelow(const FigureBar& bar, double left, double room)
+{
+  const int inner = static_cast<int>(room - 2.0 * Font);
+  const std::vector<Tick> ticks = TicksOf(bar, MaxTicks(inner, false));
+  // The texts of the ends are within the room.
+  const auto half = [&](const Tick& tick) { return 0.5 * To.WidthOf(tick.text) + 0.3 * Font; };
+  const double begin = ticks.empty() ? Font : std::max(0.5 * Font, half(ticks.front()));
+  const double end = ticks.empty() ? Font : std::max<double>(Font, half(ticks.back()));
+  const double width = room - begin - end;
+  Write(bar.name, { left + begin, (kTopOfStrip - 0.6) * Font }, width);
+  DrawBar(bar,
+    { static_cast<int>(left + begin), 3 * Font, std::max(Font, static_cast<int>(width)),
+      static_cast<int>(kBarWidth * Font) },
+    false);
+}
+
+void FigureLegend::AddBarBeside(const FigureBar& bar, double top, double room)
+{
   const int left = Layout.size.width - (kColumn - 1) * Font;
-  double top = Layout.corner[1] + Layout.picture.height - 0.3 * Font;
-  const double share = (top - Taken) / count;
-  for (const FigureBar& bar : bars)
+  const double width = (kColumn - 1.2) * Font;
+  double y = top - 0.7 * Font;
+  for (const std::string& line : Wrapped(bar.name, width))
   {
-    const double room = (kColumn - 1.2) * Font;
-    double y = top - 0.7 * Font;
-    for (const std::string& line : Wrapped(bar.name, room))
-    {
-      Write(line, { static_cast<double>(left), y }, room);
-      y -= kNameRow * Font;
-    }
-    const double height =
-      std::min(y - (top - share) - Font, 0.6 * static_cast<double>(Layout.size.height));
-    const int length = std::max(Font, static_cast<int>(height));
-    DrawBar(bar, { left, static_cast<int>(y) - length, static_cast<int>(kBarWidth * Font), length },
-      true);
-    top -= share;
+    Write(line, { static_cast<double>(left), y }, width);
+    y -= kNameRow * Font;
   }
+  const double height =
+    std::min(y - (top - room) - Font, 0.6 * static_cast<double>(Layout.size.height));
+  const int length = std::max(Font, static_cast<int>(height));
+  DrawBar(
+    bar, { left, static_cast<int>(y) - length, static_cast<int>(kBarWidth * Font), length }, true);
 }
 
 void FigureLegend::DrawBar(const FigureBar& bar, Box box, bool isUpright)
 {
-  // Arrows take their room from the bar.
+  // Arrows take their room from the bar, in a series also where there are none.
   int& length = isUpright ? box.height : box.width;
   int& begin = isUpright ? box.y : box.x;
   const int arrow = static_cast<int>(kArrow * Font);
-  length -= (bar.beyond[0] ? arrow : 0) + (bar.beyond[1] ? arrow : 0);
-  begin += bar.beyond[0] ? arrow : 0;
+  const int below = bar.beyond[0] || Layout.isOfSeries ? arrow : 0;
+  const int above = bar.beyond[1] || Layout.isOfSeries ? arrow : 0;
+  length -= below + above;
+  begin += below;
   length = std::max(length, 1);
   DrawColors(bar, box, isUpright);
   To.Frame(box.x, box.y, box.width, box.height, Ink);
@@ -295,7 +315,7 @@ void FigureLegend::DrawColors(const FigureBar& bar, const Box& box, bool isUprig
   values.reserve(static_cast<std::size_t>(length));
   for (int step = 0; step < length; ++step)
   {
-    values.push_back(ValueAt(bar, (step + 0.5) / length));
+    values.push_back(ValueInRange(bar.range, bar.logarithm, (step + 0.5) / length));
   }
   std::vector<std::uint8_t> colors(4 * values.size());
   bar.map(values, colors.data());
@@ -340,23 +360,47 @@ void FigureLegend::DrawArrow(const FigureBar& bar, const Box& box, bool isUprigh
 void FigureLegend::DrawTicks(const FigureBar& bar, const Box& box, bool isUpright)
 {
   const int length = isUpright ? box.height : box.width;
-  const int room = isUpright ? 2 * Font : 5 * Font;
-  for (const Tick& tick : TicksOf(bar, std::max(2, length / room)))
+  const std::vector<Tick> ticks = TicksOf(bar, MaxTicks(length, isUpright));
+  const auto place = [&](const Tick& tick)
   {
+    const double part =
+      bar.range[1] > bar.range[0] ? PartOfRange(bar.range, bar.logarithm, tick.value) : 0.5;
     // A line in the middle of a row of pixels is sharp.
-    const double at = std::floor(std::min(PartOf(bar, tick.value) * length, length - 0.5)) + 0.5;
+    return std::floor(std::clamp(part * length, 0.0, length - 0.5)) + 0.5;
+  };
+  const auto extent = [&](const Tick& tick)
+  { return isUpright ? 1.1 * Font : To.WidthOf(tick.text) + 0.6 * Font; };
+  // The text of the last tick has precedence over those that would overlap with it.
+  double free = -1e9;
+  for (std::size_t k = 0; k < ticks.size(); ++k)
+  {
+    const Tick& tick = ticks[k];
+    const double at = place(tick);
+    const double half = 0.5 * extent(tick);
+    const bool isLast = k + 1 == ticks.size();
+    const bool hasRoom = at - half >= free &&
+      (isLast || at + half <= place(ticks.back()) - 0.5 * extent(ticks.back()));
+    free = hasRoom ? at + half : free;
     if (isUpright)
     {
       const double x = box.x + box.width;
       const double y = box.y + at;
       To.Line(CanvasPoint{ x + 1.0, y }, { x + 0.4 * Font, y }, Pen, Ink);
-      To.Write(tick.text, x + 0.7 * Font, y, TextAnchor::Left, Ink);
+      if (hasRoom)
+      {
+        const double left = x + 0.7 * Font;
+        To.WriteWithin(
+          tick.text, left, y, TextAnchor::Left, Layout.size.width - 0.3 * Font - left, Ink);
+      }
     }
     else
     {
       const double x = box.x + at;
       To.Line(CanvasPoint{ x, box.y - 1.0 }, { x, box.y - 0.4 * Font }, Pen, Ink);
-      To.Write(tick.text, x, box.y - 1.1 * Font, TextAnchor::Centre, Ink);
+      if (hasRoom)
+      {
+        To.Write(tick.text, x, box.y - 1.1 * Font, TextAnchor::Centre, Ink);
+      }
     }
   }
 }

@@ -64,6 +64,7 @@ public:
   void AddMark(const ColorMark& mark);
   void AddText(const std::string& text);
   void AddArrow(const FigureArrow& arrow);
+  /// Warns of bars that have no room.
   void AddBars(const std::vector<FigureBar>& bars);
 
 private:
@@ -80,6 +81,10 @@ private:
   /// The lines of a text that are no wider than `room`, where words allow it.
   [[nodiscard]] std::vector<std::string> Wrapped(const std::string& text, double room);
   void Write(const std::string& text, const CanvasPoint& at, double room);
+  [[nodiscard]] int MaxTicks(int length, bool isUpright) const;
+  /// A bar in the strip, from `left`, and one in the column, down from `top`.
+  void AddBarBelow(const FigureBar& bar, double left, double room);
+  void AddBarBeside(const FigureBar& bar, double top, double room);
   /// `isUpright`: values grow upwards, else to the right.
   void DrawBar(const FigureBar& bar, Box box, bool isUpright);
   void DrawColors(const FigureBar& bar, const Box& box, bool isUpright);

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace pixelexact
@@ -119,10 +120,28 @@ void RenderOptions::Check(const std::string& picture)
   if (figure.IsAsked())
   {
     figure.Check(shot.size);
+    CheckBars(layers);
     // Steps of pixels are not what a reader wants; where colours are a legend's they stay pure.
     if (!IsGiven(*shot.command, "--samples") && !debug.NeedsPureColors())
     {
       shot.samples = kSamplesOfFigures;
+    }
+  }
+}
+
+void RenderOptions::CheckBars(const std::vector<LayerSettings>& layers) const
+{
+  const bool isSolid = std::ranges::all_of(layers,
+    [this](const LayerSettings& layer)
+    { return layer.color || (shot.colors.Solid() && !layer.colormap && !layer.range); });
+  const bool hasBar =
+    debug.IsInPlace() ? debug.ShowsJumps() : !isSolid && (!contours.Only() || contours.ByMap());
+  for (const char* option : { "--bar-title", "--unit", "--bar-ticks" })
+  {
+    if (!hasBar && IsGiven(*shot.command, option))
+    {
+      throw UsageError(
+        std::string(option) + " has no effect: the figure has no colour bar; leave it out");
     }
   }
 }
@@ -133,7 +152,11 @@ ShotOptions RenderOptions::OfPicture() const
   if (figure.IsAsked())
   {
     asked.layout = [this](const Shot& of)
-    { return figure.LayOut(shot.size, of, animation.Turns()); };
+    {
+      FigureLayout layout = figure.LayOut(shot.size, of, animation.Turns());
+      layout.isOfSeries = animation.IsAsked(shot.input);
+      return layout;
+    };
   }
   for (const std::string& field : { arrows.Field(), texture.Field() })
   {

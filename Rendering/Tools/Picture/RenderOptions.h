@@ -17,6 +17,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pixelexact
 {
@@ -48,6 +49,8 @@ struct RenderOptions
   /// The options of the picture inside the figure. Must be called after Check.
   [[nodiscard]] ShotOptions OfPicture() const;
 
+  /// Throws UsageError for options of colour bars in a figure without one.
+  void CheckBars(const std::vector<LayerSettings>& layers) const;
   /// Pixels in an inch; none: the picture has no physical size.
   [[nodiscard]] std::optional<double> Dpi() const;
 };

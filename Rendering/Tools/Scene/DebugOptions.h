@@ -55,6 +55,8 @@ public:
   void Check(int samples, const std::vector<LayerSettings>& layers) const;
   /// Whether a legend's colours replace those of the field.
   [[nodiscard]] bool IsInPlace() const { return Owners || Show != "field"; }
+  /// Whether the colours are those of jumps, which have a bar.
+  [[nodiscard]] bool ShowsJumps() const { return Show == "jumps"; }
   /// Whether colours are those of a legend and must not be mixed.
   [[nodiscard]] bool NeedsPureColors() const { return IsInPlace() || MarksUndecided(); }
 

@@ -45,6 +45,8 @@ struct FigureLayout
   /// Coordinates stand along the picture's left and lower sides; else the axes' directions are
   /// part of the legend.
   bool hasCoordinates = false;
+  /// The figure is one of several with the same layout, which keep room for what others have.
+  bool isOfSeries = false;
 };
 
 /// Options of surfaces, colours and camera that render and bench share.
