@@ -7,12 +7,7 @@
 
 namespace pixelexact
 {
-namespace
-{
-/// Levels to which an interval is bisected to find where a ray enters and leaves.
-constexpr int kMaxLevels = 10;
-
-double ValueAt(std::span<const double> coefficients, double x)
+double ChebyshevSum(std::span<const double> coefficients, double x)
 {
   double b1 = 0.0;
   double b2 = 0.0;
@@ -24,6 +19,11 @@ double ValueAt(std::span<const double> coefficients, double x)
   }
   return x * b1 - b2 + coefficients[0];
 }
+
+namespace
+{
+/// Levels to which an interval is bisected to find where a ray enters and leaves.
+constexpr int kMaxLevels = 10;
 
 /// Finds where all sides are >= 0. Series are over [from, to]; results are in the x of the whole.
 class InsideSearch
@@ -77,8 +77,8 @@ public:
     if (isUndecided)
     {
       // The whole part may be inside or outside.
-      const bool inside = std::ranges::all_of(
-        sides, [](const SideSeries& side) { return ValueAt(side.Coefficients(), 0.0) >= 0.0; });
+      const bool inside = std::ranges::all_of(sides,
+        [](const SideSeries& side) { return ChebyshevSum(side.Coefficients(), 0.0) >= 0.0; });
       const double width = to - from;
       Out.push_back(inside ? Inside{ from, to, width, width, false }
                            : Inside{ middle, middle, width, width, false });
@@ -109,7 +109,7 @@ private:
       for (std::size_t i = 0; i < side.count; ++i)
       {
         const double x = RayCosines(n)[side.count + i];
-        values[i] = ValueAt(side.Coefficients(), 0.5 * (from + to) + 0.5 * (to - from) * x);
+        values[i] = ChebyshevSum(side.Coefficients(), 0.5 * (from + to) + 0.5 * (to - from) * x);
       }
       ToCoefficients(values.data(), n, parts[k].values.data());
       parts[k].count = side.count;
@@ -123,8 +123,8 @@ private:
     std::span<const double> a, double error, double slope, double middle, double half, Inside& part)
   {
     const double sign = a[1] > 0.0 ? 1.0 : -1.0;
-    const double first = ValueAt(a, -sign);
-    const double last = ValueAt(a, sign);
+    const double first = ChebyshevSum(a, -sign);
+    const double last = ChebyshevSum(a, sign);
     if (first > error)
     {
       return;
@@ -139,7 +139,7 @@ private:
     double lower = -1.0;
     double upper = 1.0;
     double x = first > 0.0 ? -sign : (last < 0.0 ? sign : std::clamp(-a[0] / a[1], -1.0, 1.0));
-    double value = ValueAt(a, x);
+    double value = ChebyshevSum(a, x);
     for (int step = 0; step < 30 && std::fabs(value) > 1e-3 * error; ++step)
     {
       (value * sign > 0.0 ? upper : lower) = x;
@@ -153,7 +153,7 @@ private:
         break;
       }
       x = next;
-      value = ValueAt(a, x);
+      value = ChebyshevSum(a, x);
     }
     const double off = half * (std::fabs(value) + error + 1e-15) / slope * kInsideUp;
     const double root = middle + half * x;

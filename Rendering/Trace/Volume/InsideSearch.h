@@ -19,6 +19,9 @@ inline constexpr double kInsideUp = 1.0 + 1e-9;
 /// Writes the n coefficients of the interpolant of values in Chebyshev's points.
 void ToCoefficients(const double* values, int n, double* coefficients);
 
+/// The sum of coefficients[k] T_k(x) of Chebyshev polynomials; there is at least one.
+[[nodiscard]] double ChebyshevSum(std::span<const double> coefficients, double x);
+
 /// An interval of x in [-1, 1] in which a point is inside a leaf, and how far its ends may be off.
 struct Inside
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Volume/RayIntegral.h"
 
+#include "Trace/Volume/InsideSearch.h"
+
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -17,19 +19,6 @@ constexpr double kStepUp = 1.0 + 1e-9;
 constexpr double kStepAllowance = 1e-7;
 /// Covers the rounding of one step, in which all numbers are at most about 1.
 constexpr double kStepRounding = 1e-14;
-
-double Series(const double* a, int n, double x)
-{
-  double b1 = 0.0;
-  double b2 = 0.0;
-  for (int k = n - 1; k > 0; --k)
-  {
-    const double b0 = 2.0 * x * b1 - b2 + a[k];
-    b2 = b1;
-    b1 = b0;
-  }
-  return x * b1 - b2 + a[0];
-}
 } // namespace
 
 /// The contribution of a step.
@@ -56,15 +45,16 @@ void RayIntegral::Begin(double length)
 RayIntegral::Place RayIntegral::PlaceAt(const RaySpan& span, const double* series, double x) const
 {
   Place place{ 0.0, {} };
+  const auto points = static_cast<std::size_t>(span.points);
   if (!magnitude_)
   {
-    place.v[0] = place.u = Series(series, span.points, x);
+    place.v[0] = place.u = ChebyshevSum({ series, points }, x);
     return place;
   }
   double sum = 0.0;
   for (std::size_t c = 0; c < components_; ++c)
   {
-    place.v[c] = Series(series + c * static_cast<std::size_t>(span.points), span.points, x);
+    place.v[c] = ChebyshevSum({ series + c * points, points }, x);
     sum += place.v[c] * place.v[c];
   }
   place.u = std::sqrt(sum);
