@@ -291,8 +291,9 @@ public:
     std::vector<Vec3> handles(7, middle);
     for (int d = 0; d < 3; ++d)
     {
-      handles[static_cast<std::size_t>(1 + 2 * d)][d] = Box.lower[d];
-      handles[static_cast<std::size_t>(2 + 2 * d)][d] = Box.upper[d];
+      const auto first = 1 + 2 * static_cast<std::size_t>(d);
+      handles[first][d] = Box.lower[d];
+      handles[first + 1][d] = Box.upper[d];
     }
     return handles;
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -224,6 +225,15 @@ std::string ShownCommand::NameOfFile(int number) const
     : (given.parent_path() /
         fmt::format("{}_{}{}", given.stem().string(), number, given.extension().string()))
         .string();
+}
+
+std::string ShownCommand::NextName()
+{
+  while (Output.empty() && std::filesystem::exists(NameOfFile(Saved)))
+  {
+    ++Saved;
+  }
+  return NameOfFile(Saved);
 }
 
 std::vector<std::string> ShownCommand::FigureWords(const std::string& output) const

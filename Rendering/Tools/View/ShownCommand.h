@@ -56,17 +56,20 @@ public:
 
   /// The words of render for the figure, which it writes to a file.
   [[nodiscard]] std::vector<std::string> FigureWords(const std::string& output) const;
-  /// The name of the saved figure with this number.
-  [[nodiscard]] std::string NameOfFile(int number) const;
-  /// Whether the command line named the file.
-  [[nodiscard]] bool HasName() const { return !Output.empty(); }
+  /// The file of the next figure: --output, with a number after the first figure; without --output
+  /// a name that no file has.
+  [[nodiscard]] std::string NextName();
+  /// A figure was saved under the next name.
+  void CountFigure() { ++Saved; }
 
 private:
   struct Parsed;
   [[nodiscard]] std::unique_ptr<Parsed> Parse(const std::vector<std::string>& words) const;
+  [[nodiscard]] std::string NameOfFile(int number) const;
 
   Stopwatch Watch;
   std::string Output; ///< as given
+  int Saved = 0;      ///< number of the next figure
   std::unique_ptr<Parsed> Parsed_;
   Shot shot_;
   ShownState State_;

@@ -180,7 +180,9 @@ void ViewControls::Apply(std::size_t slider, const Shot& shot, ShownState& state
   }
   state.Set(value.option, value.prefix + value.Text());
   const Field* shown = shot.scene.layers.front().field;
-  if (value.option == kIso && shown != nullptr && value.prefix.starts_with(shown->name))
+  const bool isOfShown = value.option == kIso && shown != nullptr &&
+    (value.prefix == shown->name + "=" || value.prefix.starts_with(shown->name + "."));
+  if (isOfShown)
   {
     // The surface has one value of its own field, and its colours would be those of another one.
     state.ForgetRange();

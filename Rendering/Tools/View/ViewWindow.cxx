@@ -19,8 +19,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -32,6 +30,8 @@ namespace
 /// dragged, and while the picture is completed.
 constexpr double kSeconds = 0.03;
 constexpr double kStillSeconds = 0.06;
+/// Time after which the legend's axes follow a camera that moves.
+constexpr std::chrono::milliseconds kLegendPeriod{ 150 };
 /// A slider whose changes take longer changes the picture when it is released.
 constexpr double kLiveSeconds = 0.2;
 /// Smallest side of a figure in a window that is made smaller.
@@ -92,8 +92,12 @@ void ViewWindow::Update()
   Layout.Picture().ResetCameraClippingRange();
   Handles.Update(*camera);
   shot.view = ViewOf(camera);
-  if (LegendChanges || !(shot.view == LegendView))
+  const auto now = std::chrono::steady_clock::now();
+  const bool isMoving = Layout.Window().GetDesiredUpdateRate() >= 1.0;
+  if (LegendChanges ||
+    (!(shot.view == LegendView) && (!isMoving || now - LegendTime > kLegendPeriod)))
   {
+    LegendTime = now;
     const Image legend = Scene.Legend(Command.Options(), shot);
     Layout.SetLegend(legend, size.width - legend.width);
     LegendView = shot.view;
@@ -314,32 +318,23 @@ void ViewWindow::ReadPixel()
   Layout.Window().Render();
 }
 
-std::string ViewWindow::NextName()
-{
-  while (!Command.HasName() && std::filesystem::exists(Command.NameOfFile(Saved)))
-  {
-    ++Saved;
-  }
-  return Command.NameOfFile(Saved);
-}
-
 void ViewWindow::PrintCommand()
 {
   Command.State() = Now();
-  std::cout << RepeatedCommand{ Command.FigureWords(NextName()), {} }.Text() << std::endl;
+  std::cout << RepeatedCommand{ Command.FigureWords(Command.NextName()), {} }.Text() << std::endl;
   Tell("the command is on the terminal");
 }
 
 void ViewWindow::Save()
 {
   Command.State() = Now();
-  const std::string name = NextName();
+  const std::string name = Command.NextName();
   const RepeatedCommand command{ Command.FigureWords(name), {} };
   Tell("saving '" + name + "' ...");
   Layout.Window().Render();
   std::cout << command.Text() << std::endl;
   const bool saved = RunTool(command.given);
-  ++Saved;
+  Command.CountFigure();
   Tell((saved ? "saved '" : "could not be saved (see the terminal): '") + name + "'");
 }
 

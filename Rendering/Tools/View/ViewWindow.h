@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,8 +68,6 @@ private:
   [[nodiscard]] std::array<double, 2> OnPanel() const;
   /// The command's state with the camera and the surface that are shown.
   ShownState Now();
-  /// The next name of a saved figure that does not exist.
-  std::string NextName();
 
   ViewLayout Layout;
   ShownCommand Command;
@@ -83,7 +82,7 @@ private:
   bool PanelChanges = true;
   bool LegendChanges = true;
   CameraView LegendView; ///< of the drawn legend
-  int Saved = 0;
+  std::chrono::steady_clock::time_point LegendTime;
 
   vtkNew<vtkRenderWindowInteractor> Interactor;
   PixelReader Reader;
