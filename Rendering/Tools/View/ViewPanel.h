@@ -57,7 +57,7 @@ public:
   /// The value of a slider whose knob is at `x`.
   [[nodiscard]] double ValueAt(std::size_t slider, double x) const;
   /// Shows fields further down in a list that does not fit.
-  void Scroll(int fields);
+  void Scroll(int by);
 
 private:
   void DrawFields(RasterCanvas& canvas, double& y, double least);

@@ -27,15 +27,16 @@ namespace
 constexpr int kSmallSide = 4;
 
 /// The columns of an image from `left` on.
-Image RightOf(const Image& image, int left)
+Image ColumnsFrom(const Image& image, int left)
 {
   Image part{ image.width - left, image.height, image.channels, {} };
-  const auto row = static_cast<std::size_t>(part.width * part.channels);
-  part.pixels.resize(row * static_cast<std::size_t>(part.height));
-  for (int y = 0; y < part.height; ++y)
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t row = channels * static_cast<std::size_t>(image.width);
+  const std::size_t kept = channels * static_cast<std::size_t>(part.width);
+  part.pixels.resize(kept * static_cast<std::size_t>(image.height));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
   {
-    const auto from = static_cast<std::size_t>((y * image.width + left) * image.channels);
-    std::copy_n(&image.pixels[from], row, &part.pixels[static_cast<std::size_t>(y) * row]);
+    std::copy_n(&image.pixels[(y + 1) * row - kept], kept, &part.pixels[y * kept]);
   }
   return part;
 }
@@ -142,6 +143,6 @@ Image ViewScene::Legend(const RenderOptions& options, const Shot& shot) const
     !options.contours.AreGiven() || !options.contours.Only() || options.contours.ByMap();
   options.figure.Draw(canvas, size, { shot, *Colors, frame, options.shot.colors, bars, {} });
   Image figure = canvas.Picture();
-  return shot.size.height == size.height ? RightOf(figure, shot.size.width) : std::move(figure);
+  return shot.size.height == size.height ? ColumnsFrom(figure, shot.size.width) : std::move(figure);
 }
 } // namespace pixelexact
