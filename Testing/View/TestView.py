@@ -317,7 +317,7 @@ class View(ToolTest):
         self.drag(ball, (0, -50))
         self.keep("dragged.png")
         second = self.options()
-        np.testing.assert_allclose(vector(first["plane"]), [0.5, 0.5, 0.5, 0, 0, 1], atol=1e-12)
+        self.assertEqual(first["plane"], "0.5,0.5,0.5,0,0,1")
         plane = vector(second["plane"])
         np.testing.assert_allclose(plane[3:], [0, 0, 1])
         self.assertTrue(self.same_camera(first, second))
@@ -415,6 +415,29 @@ class View(ToolTest):
         options = self.options()
         self.assertEqual((options["field"], options["component"]), ("w", "2"))
 
+    def test_a_long_list_of_fields_scrolls(self):
+        fields = [(f"field{k:02d}", [k + p[0] for p in CUBE]) for k in range(40)]
+        self.cube.write_text(unit_cube_grid(fields), encoding="utf-8")
+        self.open(self.cube, "--field", "field05", "--plane", "z=0.5")
+        (y,) = self.rows(lambda n: n > 50)
+        top = y - 5 * 1.5 * LETTERS
+        xdotool("mousemove", SIZE[0] + 30, round(top))
+        xdotool("click", "--repeat", 20, "--delay", 50, 5)
+        self.settled()
+        self.keep("fields-scrolled.png")
+        # The list ends with the last field, and a click chooses what is there.
+        xdotool("click", 1)
+        self.settled()
+        first = self.options()["field"]
+        self.assertGreater(first, "field10")
+        (now,) = self.rows(lambda n: n > 50)
+        self.assertAlmostEqual(now, top, delta=2)
+        # A field that is chosen by a key is visible.
+        self.press("F")
+        self.settled()
+        self.assertEqual(int(self.options()["field"][-2:]), int(first[-2:]) - 1)
+        self.assertEqual(len(self.rows(lambda n: n > 50)), 1)
+
     def test_number_of_contours_has_a_slider(self):
         self.open(self.cube, "--field", "u", "--plane", "z=0.5")
         self.assertEqual(self.knobs(), [])
@@ -505,6 +528,15 @@ class View(ToolTest):
     def test_options_of_figures_are_named(self):
         self.open(self.cube, "--field", "u", "--plane", "z", "--figure", "--mark-extremes")
         self.assertIn("--mark-extremes: in saved figures", (self.folder / "err.txt").read_text(encoding="utf-8"))
+        self.close()
+        # Colours of a legend have neither a bar nor a range.
+        self.open(self.cube, "--field", "u", "--plane", "z", "--show", "validity")
+        self.press("e")
+        self.settled()
+        self.assertIn("--edges", self.command())
+        self.assertFalse({"range", "figure"} & set(self.options()))
+        self.press("s")
+        self.wait((self.folder / "cube_view_0.png").exists)
 
     def test_what_windows_do_not_have_is_refused(self):
         for words, names in [

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -102,8 +103,11 @@ public:
     , Box(box)
     , Size(glm::length(box.upper - box.lower))
   {
-    const Vec3 middle = 0.5 * (box.lower + box.upper);
-    Origin = middle - glm::dot(middle - plane.Point(), Normal) * Normal;
+    // The ball may be anywhere in the plane, and numbers of few digits are printed.
+    const double digit = std::pow(10.0, std::floor(std::log10(Size)) - 6.0);
+    const Vec3 middle = digit * glm::round(0.5 * (box.lower + box.upper) / digit);
+    const Vec3 off = middle - plane.Point();
+    Origin = plane.Point() + (off - glm::dot(off, Normal) * Normal);
   }
 
   [[nodiscard]] std::vector<Vec3> Handles(const CameraView& /*view*/) const override

@@ -147,8 +147,10 @@ void ViewWindow::Change(ShownState state)
 void ViewWindow::ShowShot()
 {
   Scene.Show(Command.Options(), Command.GetShot());
-  // With several layers a saved figure finds the ranges of its own picture.
-  Command.State().now.range = Scene.Ranges().size() == 1 ? Scene.Ranges().front() : std::nullopt;
+  // With several layers a saved figure finds the ranges of its own picture. Colours of a legend
+  // have no range.
+  const bool hasRange = Scene.Ranges().size() == 1 && !Command.Options().debug.IsInPlace();
+  Command.State().now.range = hasRange ? Scene.Ranges().front() : std::nullopt;
   LegendChanges = true;
 }
 
