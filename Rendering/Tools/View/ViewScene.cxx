@@ -24,7 +24,7 @@ namespace pixelexact
 namespace
 {
 /// Side of the traced picture where no range depends on it.
-constexpr int kSmallSide = 4;
+constexpr int kSmallSide = 16;
 
 /// The columns of an image from `left` on.
 Image ColumnsFrom(const Image& image, int left)
@@ -71,7 +71,7 @@ void ViewScene::FindRanges(const RenderOptions& options, const Shot& shot)
   // The new colours refer to the new shot; the old ones must not outlive theirs.
   Colors.reset();
   Traced = std::move(traced);
-  Colors = std::make_unique<ShotAppearance>(options.shot.colors, nullptr, *Traced, frame);
+  Colors = std::make_unique<ShotAppearance>(options.shot.colors, &options.contours, *Traced, frame);
 }
 
 void ViewScene::ShowOutline(const RenderOptions& options, const Shot& shot)
@@ -112,9 +112,16 @@ void ViewScene::Show(const RenderOptions& options, const Shot& shot)
     layer->SetSinglePrecision(from.precision == Precision::Float);
     layer->SetOpacity(view.appearance.layers[k].opacity); // it is drawn with what is translucent
     DrawnBy->AddLayer(layer);
+    LayerAppearance& drawn = view.appearance.layers[k];
     if (const ValueRange& range = Ranges()[k])
     {
-      view.appearance.layers[k].range = { RangeRule::Of::Ends, *range };
+      drawn.range = { RangeRule::Of::Ends, *range };
+    }
+    // A number of contours would be resolved in each complete frame, which a drag then waits for.
+    if (drawn.contours.count > 0)
+    {
+      drawn.contours.values = Colors->Resolved().layers[k].contours;
+      drawn.contours.count = 0;
     }
   }
   DrawnBy->SetAppearance(std::make_shared<const Appearance>(view.appearance));
