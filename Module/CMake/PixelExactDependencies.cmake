@@ -56,7 +56,7 @@ set(PIXELEXACT_VTK_COMPONENTS
   RenderingOpenGL2)
 set(vtk_build_components FiltersGeneral FiltersParallel IOCore IOGeometry IOImage)
 if(PIXELEXACT_BUILD_VIEW)
-  list(APPEND vtk_build_components InteractionStyle InteractionWidgets RenderingAnnotation)
+  list(APPEND vtk_build_components FiltersSources InteractionStyle)
 endif()
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)

@@ -8,289 +8,360 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <vtkBoundingBox.h>
-#include <vtkBoxRepresentation.h>
-#include <vtkBoxWidget2.h>
-#include <vtkImplicitCylinderRepresentation.h>
-#include <vtkImplicitCylinderWidget.h>
-#include <vtkImplicitPlaneRepresentation.h>
-#include <vtkImplicitPlaneWidget2.h>
-#include <vtkNew.h>
-#include <vtkPlane.h>
-#include <vtkPolyData.h>
-#include <vtkProperty.h>
-#include <vtkSphereRepresentation.h>
-#include <vtkSphereWidget2.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pixelexact
 {
 namespace
 {
-/// Opacity of widgets. They must be drawn to be picked, but the cut itself is visible.
-constexpr double kUnseen = 0.01;
+/// Length of an arrow in parts of the diagonal of the mesh's box.
+constexpr double kArrow = 0.18;
+/// Smallest radius and side in parts of the same.
+constexpr double kMinSize = 1e-3;
+/// Squared sine of the angle to the direction of view below which an axis points at the viewer.
+constexpr double kMinSine2 = 0.05;
 
-/// Replaces roundings that dragging leaves by 0; `size` is the magnitude of the numbers.
-std::vector<double> Clean(std::vector<double> numbers, double size)
+/// The distance along an axis (unit length) by which a point follows the pointer. Where the axis
+/// points at the viewer, a pointer that moves upwards moves the point away.
+double Along(const HandleMove& move, const Vec3& axis)
 {
-  std::ranges::transform(
-    numbers, numbers.begin(), [size](double number) { return WithoutRoundings(number, size); });
-  return numbers;
+  const double depth = glm::dot(axis, move.forward);
+  const Vec3 seen = axis - depth * move.forward;
+  const double sine2 = glm::dot(seen, seen);
+  return sine2 > kMinSine2 ? glm::dot(move.by, seen) / sine2
+                           : glm::dot(move.by, move.up) * (depth > 0.0 ? 1.0 : -1.0);
 }
 
-/// The option with its numbers: "--sphere=0,0,0.5,1".
-std::string Worded(
-  const char* option, std::vector<double> numbers, const std::vector<double>& more = {})
+/// A unit vector across an axis, sideways on the screen.
+Vec3 Sideways(const CameraView& view, const Vec3& axis)
 {
+  Vec3 side = glm::cross(axis, view.position - view.focalPoint);
+  if (glm::length(side) < 1e-6 * glm::length(view.position - view.focalPoint))
+  {
+    side = glm::cross(axis, glm::cross(view.viewUp, axis));
+  }
+  return glm::normalize(side);
+}
+
+Vec3 RightOf(const CameraView& view)
+{
+  return glm::normalize(glm::cross(view.focalPoint - view.position, view.viewUp));
+}
+
+/// The option with its numbers: "--sphere=0,0,0.5,1". Roundings that dragging leaves in the first
+/// three are replaced by 0; `size` is the magnitude of these.
+std::string Worded(
+  const char* option, const Vec3& place, double size, const std::vector<double>& more)
+{
+  std::vector<double> numbers{ place.x, place.y, place.z };
+  for (double& number : numbers)
+  {
+    number = WithoutRoundings(number, size);
+  }
   numbers.insert(numbers.end(), more.begin(), more.end());
   return fmt::format("{}={}", option, fmt::join(numbers, ","));
 }
 
+std::vector<double> NumbersOf(const Vec3& v)
+{
+  return { WithoutRoundings(v.x, 1.0), WithoutRoundings(v.y, 1.0), WithoutRoundings(v.z, 1.0) };
+}
+
+/// The edges of a box: pairs of corners that differ in one coordinate.
+std::vector<std::array<Vec3, 2>> EdgesOf(const Box3& box)
+{
+  const auto corner = [&box](unsigned k)
+  {
+    return Vec3((k & 1U) != 0 ? box.upper.x : box.lower.x,
+      (k & 2U) != 0 ? box.upper.y : box.lower.y, (k & 4U) != 0 ? box.upper.z : box.lower.z);
+  };
+  std::vector<std::array<Vec3, 2>> edges;
+  edges.reserve(12);
+  for (unsigned k = 0; k < 8; ++k)
+  {
+    for (const unsigned side : { 1U, 2U, 4U })
+    {
+      if ((k & side) == 0)
+      {
+        edges.push_back({ corner(k), corner(k | side) });
+      }
+    }
+  }
+  return edges;
+}
+
+/// The ball moves the plane along its normal, the arrow's tip turns it.
 class DraggedPlane final : public DraggedShape
 {
 public:
-  explicit DraggedPlane(const Plane& plane)
+  DraggedPlane(const Plane& plane, const Box3& box)
+    : Normal(plane.Normal({}))
+    , Box(box)
+    , Size(glm::length(box.upper - box.lower))
   {
-    const Vec3 normal = plane.Normal({});
-    Cut->SetOrigin(plane.Point().x, plane.Point().y, plane.Point().z);
-    Cut->SetNormal(normal.x, normal.y, normal.z);
-    Control->SetRepresentation(Shape);
+    // The ball may be anywhere in the plane, and numbers of few digits are printed.
+    const double digit = std::pow(10.0, std::floor(std::log10(Size)) - 6.0);
+    const Vec3 middle = digit * glm::round(0.5 * (box.lower + box.upper) / digit);
+    const Vec3 off = middle - plane.Point();
+    Origin = plane.Point() + (off - glm::dot(off, Normal) * Normal);
   }
-  void Place(const double* bounds) override
+
+  [[nodiscard]] std::vector<Vec3> Handles(const CameraView& /*view*/) const override
   {
-    Shape->SetPlaceFactor(1.0);
-    std::array<double, 6> box{};
-    std::copy_n(bounds, 6, box.begin());
-    Shape->PlaceWidget(box.data());
-    // Puts the widget's arrow near the middle of the mesh.
-    std::array<double, 3> middle{};
-    vtkBoundingBox(bounds).GetCenter(middle.data());
-    Cut->ProjectPoint(middle.data(), middle.data());
-    Shape->SetOrigin(middle.data());
-    Shape->SetNormal(Cut->GetNormal());
-    Shape->OutlineTranslationOff();
-    Shape->ScaleEnabledOff();
-    Shape->TubingOff();
-    Shape->DrawPlaneOn();
-    Shape->GetPlaneProperty()->SetOpacity(kUnseen);
-    Shape->GetSelectedPlaneProperty()->SetOpacity(kUnseen);
-    Placed = true;
-    Size = vtkBoundingBox(bounds).GetDiagonalLength();
+    return { Origin, Tip() };
   }
-  [[nodiscard]] vtkAbstractWidget& Widget() override { return *Control; }
+  [[nodiscard]] std::vector<std::array<Vec3, 2>> Lines(const CameraView& /*view*/) const override
+  {
+    std::vector<std::array<Vec3, 2>> lines = Outline();
+    lines.push_back({ Origin, Tip() });
+    return lines;
+  }
+  void Drag(std::size_t handle, const CameraView& /*view*/, const HandleMove& move) override
+  {
+    if (handle == 0)
+    {
+      Origin += Along(move, Normal) * Normal;
+      return;
+    }
+    const Vec3 turned = Tip() + move.by - Origin;
+    Normal = glm::length(turned) > 0.0 ? glm::normalize(turned) : Normal;
+  }
   [[nodiscard]] std::shared_ptr<const Surface> Now() const override
   {
-    const auto [origin, normal] = OriginAndNormal();
-    return std::make_shared<Plane>(origin, normal);
+    return std::make_shared<Plane>(Origin, Normal);
   }
   [[nodiscard]] std::string Word() const override
   {
-    const auto [o, n] = OriginAndNormal();
-    return Worded("--plane", Clean({ o.x, o.y, o.z }, Size), Clean({ n.x, n.y, n.z }, 1.0));
+    return Worded("--plane", Origin, Size, NumbersOf(Normal));
   }
 
 private:
-  [[nodiscard]] std::array<Vec3, 2> OriginAndNormal() const
+  [[nodiscard]] Vec3 Tip() const { return Origin + kArrow * Size * Normal; }
+
+  /// The polygon in which the plane cuts the mesh's box.
+  [[nodiscard]] std::vector<std::array<Vec3, 2>> Outline() const
   {
-    if (Placed)
+    std::vector<Vec3> corners;
+    for (const auto& [a, b] : EdgesOf(Box))
     {
-      Shape->GetPlane(Cut);
+      const double from = glm::dot(a - Origin, Normal);
+      const double to = glm::dot(b - Origin, Normal);
+      if ((from < 0.0) != (to < 0.0))
+      {
+        corners.push_back(a + from / (from - to) * (b - a));
+      }
     }
-    const double* o = Cut->GetOrigin();
-    const double* n = Cut->GetNormal();
-    return { Vec3(o[0], o[1], o[2]), Vec3(n[0], n[1], n[2]) };
+    Vec3 middle(0.0);
+    for (const Vec3& corner : corners)
+    {
+      middle += corner / static_cast<double>(corners.size());
+    }
+    const Vec3 helper = std::fabs(Normal.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+    const Vec3 right = glm::cross(Normal, helper);
+    const Vec3 up = glm::cross(Normal, right);
+    std::ranges::sort(corners, {},
+      [&](const Vec3& at)
+      { return std::atan2(glm::dot(at - middle, up), glm::dot(at - middle, right)); });
+    std::vector<std::array<Vec3, 2>> lines;
+    lines.reserve(corners.size() + 1);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      lines.push_back({ corners[k], corners[(k + 1) % corners.size()] });
+    }
+    return lines;
   }
-  bool Placed = false;
-  double Size = 0.0; ///< of the mesh
-  vtkNew<vtkPlane> Cut;
-  vtkNew<vtkImplicitPlaneRepresentation> Shape;
-  vtkNew<vtkImplicitPlaneWidget2> Control;
+
+  Vec3 Origin{ 0.0 };
+  Vec3 Normal;
+  Box3 Box;
+  double Size; ///< of the mesh
 };
 
-/// The left button moves the sphere, the right one changes its radius.
+/// The ball in the middle moves the sphere, the one at its right changes its radius.
 class DraggedSphere final : public DraggedShape
 {
 public:
-  explicit DraggedSphere(const std::vector<double>& numbers)
-    : Given(numbers)
+  DraggedSphere(const std::vector<double>& numbers, double size)
+    : Centre(numbers[0], numbers[1], numbers[2])
+    , Radius(numbers[3])
+    , MinRadius(kMinSize * size)
   {
-    Control->SetRepresentation(Shape);
   }
-  void Place(const double* /*bounds*/) override
+  [[nodiscard]] std::vector<Vec3> Handles(const CameraView& view) const override
   {
-    std::array<double, 6> box{};
-    for (std::size_t d = 0; d < 3; ++d)
+    return { Centre, Centre + Radius * RightOf(view) };
+  }
+  [[nodiscard]] std::vector<std::array<Vec3, 2>> Lines(const CameraView& view) const override
+  {
+    return { { Centre, Centre + Radius * RightOf(view) } };
+  }
+  void Drag(std::size_t handle, const CameraView& view, const HandleMove& move) override
+  {
+    if (handle == 0)
     {
-      box[2 * d] = Given[d] - Given[3];
-      box[2 * d + 1] = Given[d] + Given[3];
+      Centre += move.by;
+      return;
     }
-    Shape->SetPlaceFactor(1.0);
-    Shape->PlaceWidget(box.data());
-    Shape->SetCenter(Given.data());
-    Shape->SetRadius(Given[3]);
-    Shape->HandleVisibilityOff();
-    Shape->HandleTextOff();
-    Shape->RadialLineOff();
-    Shape->SetRepresentationToSurface();
-    Shape->GetSphereProperty()->SetOpacity(kUnseen);
-    Shape->GetSelectedSphereProperty()->SetOpacity(kUnseen);
+    Radius = std::max(MinRadius, Radius + glm::dot(move.by, RightOf(view)));
   }
-  [[nodiscard]] vtkAbstractWidget& Widget() override { return *Control; }
   [[nodiscard]] std::shared_ptr<const Surface> Now() const override
   {
-    const double* c = Shape->GetCenter();
-    return std::make_shared<Quadric>(MakeSphere(Vec3(c[0], c[1], c[2]), Shape->GetRadius()));
+    return std::make_shared<Quadric>(MakeSphere(Centre, Radius));
   }
   [[nodiscard]] std::string Word() const override
   {
-    const double* c = Shape->GetCenter();
-    const double radius = Shape->GetRadius();
-    return Worded("--sphere", Clean({ c[0], c[1], c[2] }, radius), { radius });
+    return Worded("--sphere", Centre, Radius, { Radius });
   }
 
 private:
-  std::vector<double> Given;
-  vtkNew<vtkSphereRepresentation> Shape;
-  vtkNew<vtkSphereWidget2> Control;
+  Vec3 Centre;
+  double Radius;
+  double MinRadius;
 };
 
-/// The arrow turns its axis, the wall changes its radius, the middle moves it.
+/// The ball in the middle moves the cylinder, those on the axis turn it, the one at its side
+/// changes its radius.
 class DraggedCylinder final : public DraggedShape
 {
 public:
-  explicit DraggedCylinder(const std::vector<double>& numbers)
-    : Given(numbers)
+  DraggedCylinder(const std::vector<double>& numbers, double size)
+    : Centre(numbers[0], numbers[1], numbers[2])
+    , Axis(glm::normalize(Vec3(numbers[3], numbers[4], numbers[5])))
+    , Radius(numbers[6])
+    , Size(size)
   {
-    Control->SetRepresentation(Shape);
   }
-  void Place(const double* bounds) override
+  [[nodiscard]] std::vector<Vec3> Handles(const CameraView& view) const override
   {
-    std::array<double, 6> box{};
-    std::copy_n(bounds, 6, box.begin());
-    Size = vtkBoundingBox(bounds).GetDiagonalLength();
-    Shape->SetPlaceFactor(1.0);
-    Shape->SetMinRadius(0.001);
-    Shape->SetMaxRadius(10.0);
-    Shape->SetOutsideBounds(1);
-    Shape->SetConstrainToWidgetBounds(0);
-    Shape->PlaceWidget(box.data());
-    Shape->SetCenter(Given.data());
-    Shape->SetAxis(&Given[3]);
-    Shape->SetRadius(Given[6]);
-    Shape->OutlineTranslationOff();
-    Shape->ScaleEnabledOff();
-    Shape->TubingOff();
-    Shape->DrawCylinderOn();
-    Shape->GetCylinderProperty()->SetOpacity(kUnseen);
-    Shape->GetSelectedCylinderProperty()->SetOpacity(kUnseen);
+    return { Centre, Centre + kArrow * Size * Axis, Centre + Radius * Sideways(view, Axis) };
   }
-  [[nodiscard]] vtkAbstractWidget& Widget() override { return *Control; }
+  [[nodiscard]] std::vector<std::array<Vec3, 2>> Lines(const CameraView& view) const override
+  {
+    const std::vector<Vec3> handles = Handles(view);
+    return { { handles[0], handles[1] }, { handles[0], handles[2] } };
+  }
+  void Drag(std::size_t handle, const CameraView& view, const HandleMove& move) override
+  {
+    if (handle == 0)
+    {
+      Centre += move.by;
+    }
+    else if (handle == 1)
+    {
+      const Vec3 turned = kArrow * Size * Axis + move.by;
+      Axis = glm::length(turned) > 0.0 ? glm::normalize(turned) : Axis;
+    }
+    else
+    {
+      Radius = std::max(kMinSize * Size, Radius + glm::dot(move.by, Sideways(view, Axis)));
+    }
+  }
   [[nodiscard]] std::shared_ptr<const Surface> Now() const override
   {
-    const std::vector<double> n = Numbers();
-    return std::make_shared<Quadric>(
-      MakeCylinder(Vec3(n[0], n[1], n[2]), Vec3(n[3], n[4], n[5]), n[6]));
+    return std::make_shared<Quadric>(MakeCylinder(Centre, Axis, Radius));
   }
   [[nodiscard]] std::string Word() const override
   {
-    const std::vector<double> n = Numbers();
-    std::vector<double> more = Clean({ n[3], n[4], n[5] }, 1.0);
-    more.push_back(n[6]);
-    return Worded("--cylinder", Clean({ n[0], n[1], n[2] }, Size), more);
+    std::vector<double> more = NumbersOf(Axis);
+    more.push_back(Radius);
+    return Worded("--cylinder", Centre, Size, more);
   }
 
 private:
-  [[nodiscard]] std::vector<double> Numbers() const
-  {
-    const double* c = Shape->GetCenter();
-    const double* a = Shape->GetAxis();
-    return { c[0], c[1], c[2], a[0], a[1], a[2], Shape->GetRadius() };
-  }
-  std::vector<double> Given;
-  double Size = 0.0; ///< of the mesh
-  vtkNew<vtkImplicitCylinderRepresentation> Shape;
-  vtkNew<vtkImplicitCylinderWidget> Control;
+  Vec3 Centre;
+  Vec3 Axis;
+  double Radius;
+  double Size; ///< of the mesh
 };
 
-/// Handles on the faces move these; the middle one moves the box.
+/// The ball in the middle moves the box, those on its faces move these.
 class DraggedBox final : public DraggedShape
 {
 public:
-  explicit DraggedBox(const std::vector<double>& numbers)
-    : Given(numbers)
+  DraggedBox(const std::vector<double>& numbers, double size)
+    : Box{ glm::min(
+             Vec3(numbers[0], numbers[1], numbers[2]), Vec3(numbers[3], numbers[4], numbers[5])),
+      glm::max(Vec3(numbers[0], numbers[1], numbers[2]), Vec3(numbers[3], numbers[4], numbers[5])) }
+    , Size(size)
   {
-    Control->SetRepresentation(Shape);
   }
-  void Place(const double* /*bounds*/) override
+  [[nodiscard]] std::vector<Vec3> Handles(const CameraView& /*view*/) const override
   {
-    std::array<double, 6> box{};
-    for (std::size_t d = 0; d < 3; ++d)
+    const Vec3 middle = 0.5 * (Box.lower + Box.upper);
+    std::vector<Vec3> handles(7, middle);
+    for (int d = 0; d < 3; ++d)
     {
-      box[2 * d] = std::min(Given[d], Given[d + 3]);
-      box[2 * d + 1] = std::max(Given[d], Given[d + 3]);
+      const auto first = 1 + 2 * static_cast<std::size_t>(d);
+      handles[first][d] = Box.lower[d];
+      handles[first + 1][d] = Box.upper[d];
     }
-    Shape->SetPlaceFactor(1.0);
-    Shape->PlaceWidget(box.data());
-    // --box is aligned with the axes.
-    Control->RotationEnabledOff();
-    Shape->GetOutlineProperty()->SetColor(0.0, 0.0, 0.0);
+    return handles;
   }
-  [[nodiscard]] vtkAbstractWidget& Widget() override { return *Control; }
+  [[nodiscard]] std::vector<std::array<Vec3, 2>> Lines(const CameraView& /*view*/) const override
+  {
+    return EdgesOf(Box);
+  }
+  void Drag(std::size_t handle, const CameraView& /*view*/, const HandleMove& move) override
+  {
+    if (handle == 0)
+    {
+      Box.lower += move.by;
+      Box.upper += move.by;
+      return;
+    }
+    const int d = static_cast<int>(handle - 1) / 2;
+    Vec3 axis(0.0);
+    axis[d] = 1.0;
+    const double by = Along(move, axis);
+    if (handle % 2 == 1)
+    {
+      Box.lower[d] = std::min(Box.lower[d] + by, Box.upper[d] - kMinSize * Size);
+    }
+    else
+    {
+      Box.upper[d] = std::max(Box.upper[d] + by, Box.lower[d] + kMinSize * Size);
+    }
+  }
   [[nodiscard]] std::shared_ptr<const Surface> Now() const override
   {
-    const std::vector<double> n = Numbers();
-    return std::make_shared<ConvexBody>(MakeBox(Vec3(n[0], n[1], n[2]), Vec3(n[3], n[4], n[5])));
+    return std::make_shared<ConvexBody>(MakeBox(Box.lower, Box.upper));
   }
   [[nodiscard]] std::string Word() const override
   {
-    const std::vector<double> n = Numbers();
-    const double size =
-      std::fabs(*std::ranges::max_element(n, {}, [](double x) { return std::fabs(x); }));
-    return Worded("--box", Clean(n, size));
+    return Worded("--box", Box.lower, Size,
+      { WithoutRoundings(Box.upper.x, Size), WithoutRoundings(Box.upper.y, Size),
+        WithoutRoundings(Box.upper.z, Size) });
   }
 
 private:
-  [[nodiscard]] std::vector<double> Numbers() const
-  {
-    // Uses the box itself, because GetBounds includes the handles.
-    vtkNew<vtkPolyData> faces;
-    Shape->GetPolyData(faces);
-    vtkBoundingBox box;
-    for (vtkIdType k = 0; k < 8; ++k)
-    {
-      box.AddPoint(faces->GetPoint(k));
-    }
-    const double* low = box.GetMinPoint();
-    const double* high = box.GetMaxPoint();
-    return { low[0], low[1], low[2], high[0], high[1], high[2] };
-  }
-  std::vector<double> Given;
-  vtkNew<vtkBoxRepresentation> Shape;
-  vtkNew<vtkBoxWidget2> Control;
+  Box3 Box;
+  double Size; ///< of the mesh
 };
 } // namespace
 
 std::unique_ptr<DraggedShape> MakeDragged(
-  const Surface& surface, const SurfaceOptions::Described& given)
+  const Surface& surface, const SurfaceOptions::Described& given, const Box3& box)
 {
+  const double size = glm::length(box.upper - box.lower);
   if (const auto* plane = dynamic_cast<const Plane*>(&surface))
   {
-    return std::make_unique<DraggedPlane>(*plane);
+    return std::make_unique<DraggedPlane>(*plane, box);
   }
   if (given.option == "--sphere")
   {
-    return std::make_unique<DraggedSphere>(given.numbers);
+    return std::make_unique<DraggedSphere>(given.numbers, size);
   }
   if (given.option == "--cylinder")
   {
-    return std::make_unique<DraggedCylinder>(given.numbers);
+    return std::make_unique<DraggedCylinder>(given.numbers, size);
   }
   if (given.option == "--box")
   {
-    return std::make_unique<DraggedBox>(given.numbers);
+    return std::make_unique<DraggedBox>(given.numbers, size);
   }
   return nullptr;
 }

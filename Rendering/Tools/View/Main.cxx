@@ -55,7 +55,7 @@ int Run(const std::vector<std::string>& words)
           tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
       }
       BeQuiet(common.quiet);
-      ViewWindow(*options, prepared).Show();
+      ViewWindow(prepared).Show();
     });
   AddCommonOptions(*program.get_subcommand("view"), common);
   try

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/RunTool.h"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,7 +17,6 @@ bool RunTool(const std::vector<std::string>& words)
     std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "pixelexact";
   std::vector<std::string> copies{ "pixelexact" };
   copies.insert(copies.end(), words.begin(), words.end());
-  copies.emplace_back("--quiet");
   std::vector<char*> arguments;
   arguments.reserve(copies.size() + 1);
   for (std::string& word : copies)
@@ -24,10 +24,17 @@ bool RunTool(const std::vector<std::string>& words)
     arguments.push_back(word.data());
   }
   arguments.push_back(nullptr);
+  // Not --quiet, which the picture's file would name among the words of its command.
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t process = -1;
   int status = 0;
-  return posix_spawnp(&process, std::filesystem::exists(beside) ? beside.c_str() : "pixelexact",
-           nullptr, nullptr, arguments.data(), environ) == 0 &&
-    waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  const int failure =
+    posix_spawnp(&process, std::filesystem::exists(beside) ? beside.c_str() : "pixelexact",
+      &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return failure == 0 && waitpid(process, &status, 0) == process && WIFEXITED(status) &&
+    WEXITSTATUS(status) == 0;
 }
 } // namespace pixelexact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/ViewScene.h"
 
+#include "Drawing/Canvas.h"
 #include "Picture/DrawnShot.h"
 
 #include "Trace/View.h"
@@ -8,58 +9,92 @@
 #include <vtkActor.h>
 #include <vtkHighOrderLayer.h>
 #include <vtkHighOrderMapper.h>
-#include <vtkLookupTable.h>
 #include <vtkObjectFactory.h>
+#include <vtkOutlineSource.h>
 #include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <memory>
-#include <vector>
+#include <algorithm>
+#include <utility>
 
 namespace pixelexact
 {
+namespace
+{
+/// Side of the traced picture where no range depends on it.
+constexpr int kSmallSide = 16;
+
+/// The columns of an image from `left` on.
+Image ColumnsFrom(const Image& image, int left)
+{
+  Image part{ image.width - left, image.height, image.channels, {} };
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t row = channels * static_cast<std::size_t>(image.width);
+  const std::size_t kept = channels * static_cast<std::size_t>(part.width);
+  part.pixels.resize(kept * static_cast<std::size_t>(image.height));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+  {
+    std::copy_n(&image.pixels[(y + 1) * row - kept], kept, &part.pixels[y * kept]);
+  }
+  return part;
+}
+} // namespace
+
 vtkStandardNewMacro(GivenSurfaceOfLayer);
 
-ViewScene::ViewScene(const RenderOptions& options)
-  : Options(options)
+ViewScene::ViewScene()
 {
   Drawn->SetMapper(DrawnBy);
+  Box->PickableOff();
+  Box->GetProperty()->LightingOff();
 }
 
 ViewScene::~ViewScene() = default;
-
-vtkActor& ViewScene::Actor() const
-{
-  return *Drawn;
-}
-
-vtkHighOrderMapper& ViewScene::Mapper() const
-{
-  return *DrawnBy;
-}
-
-vtkSmartPointer<vtkLookupTable> ViewScene::FirstTable(const Shot& shot) const
-{
-  const auto& range = FoundRanges.front();
-  return range ? Options.shot.colors.TableOver(*range, shot.settings.front().colormap) : nullptr;
-}
 
 void ViewScene::MoveFirst(const std::shared_ptr<const Surface>& surface)
 {
   First->Set(surface);
 }
 
-void ViewScene::FindRanges(const Shot& shot)
+void ViewScene::FindRanges(const RenderOptions& options, const Shot& shot)
 {
-  const Frame frame = TraceShot(Options, shot, {});
-  FoundRanges = ShotAppearance(Options.shot.colors, nullptr, shot, frame).Ranges();
+  Shot traced = shot;
+  const View view = ViewOf(options.shot.colors, nullptr, shot);
+  if (std::ranges::none_of(view.appearance.layers,
+        [](const LayerAppearance& layer) { return layer.range.IsOfFrame(); }))
+  {
+    traced.size = { kSmallSide, kSmallSide, {} };
+  }
+  const Frame frame = TraceShot(options, traced, {});
+  // The new colours refer to the new shot; the old ones must not outlive theirs.
+  Colors.reset();
+  Traced = std::move(traced);
+  Colors = std::make_unique<ShotAppearance>(options.shot.colors, &options.contours, *Traced, frame);
 }
 
-void ViewScene::Show(const Shot& shot, bool contours, bool edges)
+void ViewScene::ShowOutline(const RenderOptions& options, const Shot& shot)
 {
+  const Box3 box = BoxOf(*shot.input.model);
+  vtkNew<vtkOutlineSource> edges;
+  edges->SetBounds(box.lower.x, box.upper.x, box.lower.y, box.upper.y, box.lower.z, box.upper.z);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(edges->GetOutputPort());
+  Box->SetMapper(mapper);
+  Box->SetVisibility(options.outline.IsAsked());
+  const Rgba color = options.outline.LineColor();
+  Box->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+  Box->GetProperty()->SetLineWidth(static_cast<float>(options.outline.LineWidth()));
+}
+
+void ViewScene::Show(const RenderOptions& options, const Shot& shot)
+{
+  FindRanges(options, shot);
+  ShowOutline(options, shot);
   DrawnBy->SetInputData(shot.input.grid);
   DrawnBy->RemoveAllLayers();
-  View view = ViewOf(Options.shot.colors, contours ? &Options.contours : nullptr, shot);
+  View view = ViewOf(options.shot.colors, &options.contours, shot);
   for (std::size_t k = 0; k < view.scene.layers.size(); ++k)
   {
     const Layer& from = view.scene.layers[k];
@@ -78,31 +113,43 @@ void ViewScene::Show(const Shot& shot, bool contours, bool edges)
     layer->SetOpacity(view.appearance.layers[k].opacity); // it is drawn with what is translucent
     DrawnBy->AddLayer(layer);
     LayerAppearance& drawn = view.appearance.layers[k];
-    if (FoundRanges[k])
+    if (const ValueRange& range = Ranges()[k])
     {
-      drawn.range = { RangeRule::Of::Ends, *FoundRanges[k] };
+      drawn.range = { RangeRule::Of::Ends, *range };
     }
-    if (contours && !Options.contours.AreGiven() && from.field != nullptr)
+    // A number of contours would be resolved in each complete frame, which a drag then waits for.
+    if (drawn.contours.count > 0)
     {
-      drawn.contours = { .count = kDefaultContours, .colors = { Rgba{ 0, 0, 0, 255 } } };
+      drawn.contours.values = Colors->Resolved().layers[k].contours;
+      drawn.contours.count = 0;
     }
-  }
-  if (!edges)
-  {
-    view.appearance.edges.reset();
-  }
-  else if (!view.appearance.edges)
-  {
-    view.appearance.edges.emplace();
   }
   DrawnBy->SetAppearance(std::make_shared<const Appearance>(view.appearance));
   DrawnBy->RemoveAllClippingPlanes();
-  for (const std::vector<double>& p : Options.shot.clip)
+  for (const std::vector<double>& p : options.shot.clip)
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(p[0], p[1], p[2]);
     plane->SetNormal(p[3], p[4], p[5]);
     DrawnBy->AddClippingPlane(plane);
   }
+}
+
+Image ViewScene::Legend(const RenderOptions& options, const Shot& shot) const
+{
+  const ImageSize& size = options.shot.size;
+  Rgba background = options.shot.colors.BackgroundColor();
+  background[3] = 255;
+  RasterCanvas canvas(
+    size.width, size.height, background, options.figure.FontOf(size), options.font.Choice());
+  Frame frame;
+  frame.width = shot.size.width;
+  frame.height = shot.size.height;
+  frame.counters.unknown = DrawnBy->GetNumberOfUnknownPixels();
+  const bool bars =
+    !options.contours.AreGiven() || !options.contours.Only() || options.contours.ByMap();
+  options.figure.Draw(canvas, size, { shot, *Colors, frame, options.shot.colors, bars, {} });
+  Image figure = canvas.Picture();
+  return shot.size.height == size.height ? ColumnsFrom(figure, shot.size.width) : std::move(figure);
 }
 } // namespace pixelexact

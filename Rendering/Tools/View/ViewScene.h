@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Drawing/Image.h"
 #include "Picture/RenderOptions.h"
+#include "Scene/ShotAppearance.h"
 #include "View/GivenSurface.h"
 
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
 #include <array>
 #include <memory>
@@ -14,46 +15,44 @@
 
 class vtkActor;
 class vtkHighOrderMapper;
-class vtkLookupTable;
 
 namespace pixelexact
 {
-/// An actor that shows a shot as render draws it.
+/// Actors that show a shot as render draws it, and its legend.
 class ViewScene
 {
 public:
-  /// Number of contours where the command line gives none.
-  static constexpr int kDefaultContours = 10;
-
-  /// The options must outlive this.
-  explicit ViewScene(const RenderOptions& options);
+  ViewScene();
   ~ViewScene();
   ViewScene(const ViewScene&) = delete;
   ViewScene& operator=(const ViewScene&) = delete;
 
-  [[nodiscard]] vtkActor& Actor() const;
-  [[nodiscard]] vtkHighOrderMapper& Mapper() const;
+  [[nodiscard]] vtkActor& Actor() const { return *Drawn; }
+  /// The edges of the mesh's box (--mesh-outline).
+  [[nodiscard]] vtkActor& Outline() const { return *Box; }
+  [[nodiscard]] vtkHighOrderMapper& Mapper() const { return *DrawnBy; }
 
-  /// The ranges of colours that follow from the picture of the shot: they stay when the surface or
-  /// the camera moves.
-  void FindRanges(const Shot& shot);
-  /// Takes over the shot's surfaces, fields and appearance, with or without contours and edges.
-  void Show(const Shot& shot, bool contours, bool edges);
+  /// Takes over the shot's surfaces, fields and appearance. Ranges of colours that are not given
+  /// are those of the picture; they stay when the surface or the camera moves. The options must
+  /// outlive the next call. Throws Error as Resolve.
+  void Show(const RenderOptions& options, const Shot& shot);
   void MoveFirst(const std::shared_ptr<const Surface>& surface);
 
   /// By layer; none: it has one colour.
-  [[nodiscard]] const std::vector<std::optional<std::array<double, 2>>>& Ranges() const
-  {
-    return FoundRanges;
-  }
-  /// The table of the first layer, for a colour bar; null: the layer has one colour.
-  [[nodiscard]] vtkSmartPointer<vtkLookupTable> FirstTable(const Shot& shot) const;
+  [[nodiscard]] const std::vector<ValueRange>& Ranges() const { return Colors->Ranges(); }
+  /// The figure without its picture, on an opaque background; the columns right of the picture
+  /// alone where nothing is above it.
+  [[nodiscard]] Image Legend(const RenderOptions& options, const Shot& shot) const;
 
 private:
-  const RenderOptions& Options;
-  std::vector<std::optional<std::array<double, 2>>> FoundRanges;
+  void FindRanges(const RenderOptions& options, const Shot& shot);
+  void ShowOutline(const RenderOptions& options, const Shot& shot);
+
+  std::optional<Shot> Traced; ///< that the colours refer to
+  std::unique_ptr<ShotAppearance> Colors;
   vtkNew<vtkHighOrderMapper> DrawnBy;
   vtkNew<vtkActor> Drawn;
+  vtkNew<vtkActor> Box;
   vtkNew<GivenSurfaceOfLayer> First;
 };
 } // namespace pixelexact

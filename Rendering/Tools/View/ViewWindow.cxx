@@ -1,33 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/ViewWindow.h"
 
-#include "Base/Command.h"
 #include "Base/Provenance.h"
 #include "Base/Report.h"
 #include "View/RunTool.h"
-#include "View/ViewTexts.h"
+#include "View/ViewStyle.h"
 
 #include "Core/Base/Error.h"
 #include "Views/VtkCamera.h"
 
 #include <fmt/format.h>
-#include <vtkAbstractWidget.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkHighOrderMapper.h>
-#include <vtkHighOrderPicker.h>
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkLookupTable.h>
-#include <vtkObjectFactory.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
+#include <chrono>
 #include <iostream>
 #include <utility>
 
@@ -35,294 +26,370 @@ namespace pixelexact
 {
 namespace
 {
-/// Time of tracing between two events, which limits the time of a frame.
+/// Time of tracing between two events, which limits the time of a frame: while something is
+/// dragged, and while the picture is completed.
 constexpr double kSeconds = 0.03;
-
-/// Turns and moves the camera as VTK's style does, without its keys.
-class Style final : public vtkInteractorStyleTrackballCamera
-{
-public:
-  static Style* New();
-  vtkTypeMacro(Style, vtkInteractorStyleTrackballCamera);
-
-  void OnChar() override
-  {
-    const char* symbol = Interactor->GetKeySym();
-    const std::string key = symbol != nullptr ? symbol : "";
-    if (key == "q" || key == "Escape")
-    {
-      Interactor->ExitCallback();
-    }
-    else if (Window != nullptr)
-    {
-      Window->Press(key);
-    }
-  }
-  ViewWindow* Window = nullptr;
-};
-vtkStandardNewMacro(Style);
-
-std::string NameOfFile(const RenderOptions& options, int number)
-{
-  if (!options.output.empty())
-  {
-    const std::filesystem::path given(options.output);
-    return number == 0
-      ? options.output
-      : (given.parent_path() /
-          fmt::format("{}_{}{}", given.stem().string(), number, given.extension().string()))
-          .string();
-  }
-  return fmt::format("{}_view_{}.png",
-    std::filesystem::path(options.shot.input.files.front()).stem().string(), number);
-}
+constexpr double kStillSeconds = 0.06;
+/// Time after which the legend's axes follow a camera that moves.
+constexpr std::chrono::milliseconds kLegendPeriod{ 150 };
+/// A slider whose changes take longer changes the picture when it is released.
+constexpr double kLiveSeconds = 0.2;
+/// Smallest side of a figure in a window that is made smaller.
+constexpr int kMinSide = 200;
 } // namespace
 
-ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
-  : Options(std::move(options))
-  , Words(std::move(words))
-  , Shown(Options)
+ViewWindow::ViewWindow(const std::vector<std::string>& words)
+  : Command(words, ViewLayout::LargestFigure())
+  , Controls(Command)
+  , Handles(MakeDragged(*Command.GetShot().scene.layers.front().surface,
+      Command.Options().shot.surfaces.First(), BoxOf(*Command.GetShot().input.model)))
 {
-  if (Options.animation.IsAsked(Options.shot.input))
-  {
-    throw UsageError("view shows one picture; leave out --sweep, --turn and --time-step all");
-  }
-  if (Options.quality.Stride() > 1)
-  {
-    throw UsageError("view draws coarse pictures while it is moved, and then all pixels; leave out "
-                     "--stride");
-  }
-  Options.Check(NameOfFile(Options, 0));
-  if (Options.debug.IsInPlace())
-  {
-    Note("--owners and --show are drawn in saved figures (key s), not in the window");
-  }
-  shot_.emplace(Prepare(Options.shot, Watch));
-  Dragged = MakeDragged(*shot_->scene.layers.front().surface, Options.shot.surfaces.First());
-  Contours = Options.contours.AreGiven();
-  Edges = shot_->appearance.edges.has_value();
-
-  const Rgba background = Options.shot.colors.BackgroundColor();
-  Renderer->SetBackground(background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
-  Window->SetSize(shot_->size.width, shot_->size.height);
-  Window->SetMultiSamples(0);
-  Window->AddRenderer(Renderer);
-  Window->SetWindowName("PixelExact");
-  vtkNew<Style> style;
+  const RenderOptions& options = Command.Options();
+  const ImageSize& size = options.shot.size;
+  PanelWidth = ViewPanel::WidthBeside(options.figure.FontOf(size));
+  Layout.Window().SetSize(size.width + PanelWidth, size.height);
+  const Rgba background = options.shot.colors.BackgroundColor();
+  Layout.Picture().SetBackground(
+    background[0] / 255.0, background[1] / 255.0, background[2] / 255.0);
+  Layout.Picture().AddActor(&Scene.Actor());
+  Layout.Picture().AddActor(&Scene.Outline());
+  Layout.AddOver(Handles.Renderer());
+  vtkNew<ViewStyle> style;
   style->Window = this;
-  Interactor->SetRenderWindow(Window);
+  Interactor->SetRenderWindow(&Layout.Window());
   Interactor->SetInteractorStyle(style);
-  Shown.Mapper().SetProgressive(true);
-  Shown.Mapper().SetStillSeconds(kSeconds);
   Interactor->SetDesiredUpdateRate(1.0 / kSeconds);
-  Renderer->AddActor(&Shown.Actor());
-  Shown.FindRanges(*shot_);
+  Scene.Mapper().SetProgressive(true);
+  Scene.Mapper().SetStillSeconds(kStillSeconds);
+  ApplyView(Command.GetShot().view, Layout.Picture().GetActiveCamera());
   ShowShot();
-  ApplyView(shot_->view, Renderer->GetActiveCamera());
-  Renderer->ResetCameraClippingRange(shot_->input.grid->GetBounds());
 }
 
 ViewWindow::~ViewWindow() = default;
 
-void ViewWindow::MakeWidgets()
+void ViewWindow::Show()
 {
-  if (Dragged)
+  Observe(&Layout.Window(), vtkCommand::StartEvent, [this] { Update(); });
+  Observe(Interactor, vtkCommand::TimerEvent, [this] { ReadPixel(); });
+  Interactor->Initialize();
+  Layout.Window().Render();
+  Interactor->Start();
+}
+
+void ViewWindow::Update()
+{
+  const auto [width, height] = Layout.Size();
+  const ImageSize& size = Command.Options().shot.size;
+  if (width != size.width + PanelWidth || height != size.height)
   {
-    vtkAbstractWidget& widget = Dragged->Widget();
-    widget.SetInteractor(Interactor);
-    Dragged->Place(shot_->input.grid->GetBounds());
-    Observe(&widget, vtkCommand::StartInteractionEvent, [this] { Dragging = true; });
-    Observe(&widget, vtkCommand::EndInteractionEvent,
-      [this]
-      {
-        Dragging = false;
-        ReportPixel(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
-      });
-    Observe(&widget, vtkCommand::InteractionEvent, [this] { MoveSurface(); });
-    widget.On();
+    Command.Resize(std::max(kMinSide, width - PanelWidth), std::max(kMinSide, height));
+    LegendChanges = true;
+    PanelChanges = true;
   }
-  if (const auto steps = static_cast<int>(shot_->input.times.size()); steps > 1)
+  Shot& shot = Command.GetShot();
+  Layout.PlacePicture(shot.size.width, shot.size.height);
+  vtkCamera* camera = Layout.Picture().GetActiveCamera();
+  Layout.Picture().ResetCameraClippingRange();
+  Handles.Update(*camera);
+  shot.view = ViewOf(camera);
+  const auto now = std::chrono::steady_clock::now();
+  const bool isMoving = Layout.Window().GetDesiredUpdateRate() >= 1.0;
+  if (LegendChanges ||
+    (!(shot.view == LegendView) && (!isMoving || now - LegendTime > kLegendPeriod)))
   {
-    Slider.AddTo(Interactor, steps, [this](int step) { GoToStep(step); });
-    Slider.Set(shot_->input.step);
+    LegendTime = now;
+    const Image legend = Scene.Legend(Command.Options(), shot);
+    Layout.SetLegend(legend, size.width - legend.width);
+    LegendView = shot.view;
+    LegendChanges = false;
   }
+  if (PanelChanges)
+  {
+    Layout.SetPanel(
+      Controls.Panel().Draw(PanelWidth, size.height, Command.Options().font.Choice()), size.width);
+    PanelChanges = false;
+  }
+}
+
+ShownState ViewWindow::Now()
+{
+  ShownState& state = Command.State();
+  state.now.view = ViewOf(Layout.Picture().GetActiveCamera());
+  state.now.surface = Handles.Shape() != nullptr ? Handles.Shape()->Word() : std::string();
+  return state;
+}
+
+void ViewWindow::Change(ShownState state)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  ShownState before = Now();
+  bool isTaken = false;
+  try
+  {
+    Command.Take(std::move(state));
+    isTaken = true;
+    ShowShot();
+  }
+  catch (const std::exception& error)
+  {
+    Tell(error.what());
+    if (isTaken)
+    {
+      Command.Take(std::move(before));
+      ShowShot();
+    }
+  }
+  Controls.Show(Command);
+  PanelChanges = true;
+  ChangeSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void ViewWindow::ShowShot()
 {
-  Shown.Show(*shot_, Contours, Edges);
+  Scene.Show(Command.Options(), Command.GetShot());
+  // With several layers a saved figure finds the ranges of its own picture. Colours of a legend
+  // have no range.
+  const bool hasRange = Scene.Ranges().size() == 1 && !Command.Options().debug.IsInPlace();
+  Command.State().now.range = hasRange ? Scene.Ranges().front() : std::nullopt;
+  LegendChanges = true;
+}
+
+void ViewWindow::Tell(const std::string& text)
+{
+  Controls.Panel().text = text;
+  PanelChanges = true;
+}
+
+void ViewWindow::ChooseField(std::size_t row)
+{
+  ShownState state = Now();
+  Controls.ChooseField(row, state);
+  Change(std::move(state));
+}
+
+void ViewWindow::GoToStep(int step)
+{
+  const auto steps = static_cast<int>(Command.GetShot().input.times.size());
+  if (steps == 0)
+  {
+    Tell("the input has no time steps");
+    return;
+  }
+  ShownState state = Now();
+  state.now.step = std::clamp(step, 0, steps - 1);
+  Change(std::move(state));
 }
 
 void ViewWindow::MoveSurface()
 {
   try
   {
-    shot_->scene.layers.front().surface = Dragged->Now();
+    const std::shared_ptr<const Surface> surface = Handles.Shape()->Now();
+    Command.GetShot().scene.layers.front().surface = surface;
+    Scene.MoveFirst(surface);
   }
   catch (const Error& error)
   {
-    Texts.Tell(error.what());
-    return;
+    Tell(error.what());
   }
-  Shown.MoveFirst(shot_->scene.layers.front().surface);
-  Window->Render();
 }
 
-void ViewWindow::GoToStep(int step)
+std::array<int, 2> ViewWindow::Pointer() const
 {
-  const auto steps = static_cast<int>(shot_->input.times.size());
-  if (steps == 0)
-  {
-    Texts.Tell("the input has no time steps");
-    Window->Render();
-    return;
-  }
-  step = std::clamp(step, 0, steps - 1);
-  if (step != shot_->input.step)
-  {
-    const Shot before = std::move(*shot_);
-    shot_.emplace(PrepareStep(Options.shot, step, before, Watch));
-    if (Dragged)
-    {
-      shot_->scene.layers.front().surface = before.scene.layers.front().surface;
-    }
-    ShowShot();
-  }
-  Slider.Set(step);
-  Texts.Tell(fmt::format(
-    "step {}, t = {}", step, Short(shot_->input.times[static_cast<std::size_t>(step)])));
-  Window->Render();
+  return { Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1] };
 }
 
-ShownNow ViewWindow::Now() const
+bool ViewWindow::IsInPicture() const
 {
-  ShownNow now;
-  if (Dragged)
-  {
-    now.surface = Dragged->Word();
-  }
-  now.view = ViewOf(Renderer->GetActiveCamera());
-  if (Shown.Ranges().size() == 1)
-  {
-    now.range = Shown.Ranges().front();
-  }
-  if (!shot_->input.times.empty())
-  {
-    now.step = shot_->input.step;
-  }
-  now.contours = Contours;
-  now.edges = Edges;
-  return now;
+  return Layout.IsInPicture(Pointer());
 }
 
-void ViewWindow::Save()
+std::array<double, 2> ViewWindow::OnPanel() const
 {
-  ShownNow now = Now();
-  now.output = NameOfFile(Options, Saved);
-  while (Options.output.empty() && std::filesystem::exists(now.output))
-  {
-    now.output = NameOfFile(Options, ++Saved);
-  }
-  RepeatedCommand command{
-    WordsOf(now, Words, shot_->chosen, std::to_string(ViewScene::kDefaultContours)), {}
-  };
-  Texts.Tell("saving '" + now.output + "' ...");
-  Window->Render();
-  std::cout << command.Text() << std::endl;
-  const bool saved = RunTool(command.given);
-  ++Saved;
-  Texts.Tell((saved ? "saved '" : "could not be saved (see the terminal): '") + now.output + "'");
-  Window->Render();
+  const auto [x, y] = Pointer();
+  return { x + 0.5 - Command.Options().shot.size.width, y + 0.5 };
 }
 
-void ViewWindow::ReportPixel(int x, int y)
+bool ViewWindow::Grab()
 {
-  std::string text;
-  if (Picker->Pick(x, y, 0.0, Renderer) != 0 && Picker->GetVerdict() > 0)
+  if (IsInPicture() && !Handles.Grab(Pointer()))
   {
-    const double* at = Picker->GetPickPosition();
-    text = fmt::format("x = {}, {}, {}", Short(at[0]), Short(at[1]), Short(at[2]));
-    if (Picker->GetVerdict() == 1)
-    {
-      const double* xi = Picker->GetXi();
-      text =
-        fmt::format("{} = {:.10g}, exact\nelement {}, xi = {}, {}, {}\n{}", Picker->GetFieldName(),
-          Picker->GetValue(), Picker->GetElement(), Short(xi[0]), Short(xi[1]), Short(xi[2]), text);
-    }
-    else
-    {
-      text = "unknown: no element could be decided\n" + text;
-    }
+    return false;
   }
-  else
+  const auto [x, y] = OnPanel();
+  Slider = Controls.Panel().SliderAt(x, y);
+  if (Slider || Handles.IsGrabbed())
   {
-    text = "nothing";
+    // Pictures are coarse until the button is released.
+    Layout.Window().SetDesiredUpdateRate(Interactor->GetDesiredUpdateRate());
   }
-  Texts.Tell(text);
-  Window->Render();
+  if (Slider)
+  {
+    Slide(false);
+  }
+  else if (const auto row = Controls.Panel().FieldAt(x, y))
+  {
+    ChooseField(*row);
+  }
+  Layout.Window().Render();
+  return true;
 }
 
-bool ViewWindow::Press(const std::string& key)
+bool ViewWindow::Drag()
 {
-  if (key == "h")
+  if (Slider)
   {
-    Texts.TurnHelp();
+    Slide(false);
   }
-  else if (key == "p" && Dragged)
+  else if (Handles.IsGrabbed())
   {
-    vtkAbstractWidget& widget = Dragged->Widget();
-    widget.SetEnabled(widget.GetEnabled() == 0 ? 1 : 0);
-  }
-  else if (key == "c")
-  {
-    Contours = !Contours;
-    ShowShot();
-  }
-  else if (key == "e")
-  {
-    Edges = !Edges;
-    ShowShot();
-  }
-  else if (key == "r")
-  {
-    shot_->view = Now().view;
-    Shown.FindRanges(*shot_);
-    ShowShot();
-    Texts.SetTable(Shown.FirstTable(*shot_));
-  }
-  else if (key == "Left" || key == "Right")
-  {
-    GoToStep(shot_->input.step + (key == "Left" ? -1 : 1));
-  }
-  else if (key == "s")
-  {
-    Save();
+    Handles.DragTo(Pointer());
+    MoveSurface();
   }
   else
   {
     return false;
   }
-  Window->Render();
+  Layout.Window().Render();
   return true;
 }
 
-void ViewWindow::Show()
+bool ViewWindow::Release()
 {
-  const Layer& first = shot_->scene.layers.front();
-  Texts.AddTo(*Renderer, Shown.FirstTable(*shot_), first.field != nullptr ? first.field->name : "");
-  Interactor->Initialize();
-  MakeWidgets();
-  Observe(Interactor, vtkCommand::MouseMoveEvent,
-    [this]
-    {
-      // While a button is down, it moves the view or the plane.
-      auto* style = vtkInteractorStyle::SafeDownCast(Interactor->GetInteractorStyle());
-      if (style->GetState() == VTKIS_NONE && !Dragging)
-      {
-        ReportPixel(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
-      }
-    });
-  Window->Render();
-  Interactor->Start();
+  if (!Slider && !Handles.IsGrabbed())
+  {
+    return false;
+  }
+  Layout.Window().SetDesiredUpdateRate(Interactor->GetStillUpdateRate());
+  if (Slider)
+  {
+    Slide(true);
+    Slider.reset();
+  }
+  Handles.Release();
+  Layout.Window().Render();
+  return true;
+}
+
+void ViewWindow::Slide(bool last)
+{
+  ViewPanel& panel = Controls.Panel();
+  SliderValue& slider = panel.sliders[*Slider];
+  const std::string option = slider.option;
+  const double before = std::exchange(slider.value, panel.ValueAt(*Slider, OnPanel()[0]));
+  PanelChanges = true;
+  const bool isNew = slider.value != before;
+  SlideWaits = SlideWaits || isNew;
+  if (SlideWaits && (last || ChangeSeconds < kLiveSeconds))
+  {
+    SlideWaits = false;
+    ShownState state = Now();
+    Controls.Apply(*Slider, Command.GetShot(), state);
+    Change(std::move(state));
+  }
+}
+
+bool ViewWindow::Scroll(int fields)
+{
+  if (IsInPicture())
+  {
+    return false;
+  }
+  Controls.Panel().Scroll(fields);
+  PanelChanges = true;
+  Layout.Window().Render();
+  return true;
+}
+
+void ViewWindow::Hover()
+{
+  Reader.Wait(*Interactor);
+}
+
+void ViewWindow::ReadPixel()
+{
+  auto* style = ViewStyle::SafeDownCast(Interactor->GetInteractorStyle());
+  if (!Reader.IsDue() || style->GetState() != VTKIS_NONE || Slider || Handles.IsGrabbed())
+  {
+    return;
+  }
+  const auto [x, y] = Pointer();
+  Handles.PointAt(Pointer());
+  const std::string text = IsInPicture() ? Reader.Read(x, y, Layout.Picture()) : std::string();
+  Tell(text.empty() ? "h: help" : text);
+  Layout.Window().Render();
+}
+
+void ViewWindow::PrintCommand()
+{
+  Command.State() = Now();
+  std::cout << RepeatedCommand{ Command.FigureWords(Command.NextName()), {} }.Text() << std::endl;
+  Tell("the command is on the terminal");
+}
+
+void ViewWindow::Save()
+{
+  Command.State() = Now();
+  const std::string name = Command.NextName();
+  const RepeatedCommand command{ Command.FigureWords(name), {} };
+  Tell("saving '" + name + "' ...");
+  Layout.Window().Render();
+  std::cout << command.Text() << std::endl;
+  const bool saved = RunTool(command.given);
+  Command.CountFigure();
+  Tell((saved ? "saved '" : "could not be saved (see the terminal): '") + name + "'");
+}
+
+bool ViewWindow::Press(const std::string& key)
+{
+  ShownState state = Now();
+  if (key == "h")
+  {
+    Layout.TurnHelp();
+  }
+  else if (key == "p" && Handles.Shape() != nullptr)
+  {
+    Handles.TurnVisible();
+  }
+  else if (key == "l" || key == "e")
+  {
+    bool& isShown = key == "l" ? state.now.contours : state.now.edges;
+    isShown = !isShown;
+    Change(std::move(state));
+  }
+  else if (key == "o")
+  {
+    state.Set("--mesh-outline",
+      Command.Options().outline.IsAsked() ? std::nullopt : std::optional<std::string>("box"));
+    Change(std::move(state));
+  }
+  else if (key == "r")
+  {
+    state.ForgetRange();
+    Change(std::move(state));
+  }
+  else if (const auto row = Controls.RowAfter(key == "f" ? 1 : -1);
+           row && (key == "f" || key == "F"))
+  {
+    ChooseField(*row);
+  }
+  else if (key == "Left" || key == "Right")
+  {
+    GoToStep(Command.GetShot().input.step + (key == "Left" ? -1 : 1));
+  }
+  else if (key == "s")
+  {
+    Save();
+  }
+  else if (key == "c")
+  {
+    PrintCommand();
+  }
+  else
+  {
+    return false;
+  }
+  Layout.Window().Render();
+  return true;
 }
 } // namespace pixelexact
