@@ -269,10 +269,10 @@ void FigureOptions::WarnOfTicks(const std::vector<FigureBar>& bars) const
   }
 }
 
-void FigureOptions::DrawLegend(FigureLegend& legend, const FigureContent& content) const
+void FigureOptions::DrawLegend(
+  FigureLegend& legend, const FigureContent& content, bool hasCoordinates) const
 {
   const Shot& shot = content.shot;
-  const bool hasCoordinates = shot.layout->hasCoordinates;
   if (Which != Axes::None && !hasCoordinates)
   {
     legend.AddDirections(shot.view);
@@ -330,12 +330,13 @@ void FigureOptions::Draw(Canvas& canvas, const FigureContent& content) const
     canvas.WriteWithin(Title, std::clamp(middle, half, layout.size.width - half),
       layout.size.height - 0.5 * kTitle * layout.font, TextAnchor::Centre, room, ink);
   }
-  if (layout.hasCoordinates)
+  const bool hasCoordinates = layout.hasCoordinates && HasCoordinates(content.shot);
+  if (hasCoordinates)
   {
     DrawCoordinates(canvas, layout, content.shot, LengthUnit, ink);
   }
   FigureLegend legend(canvas, layout, ink);
-  DrawLegend(legend, content);
+  DrawLegend(legend, content, hasCoordinates);
 }
 
 nlohmann::ordered_json ToJson(const FigureLayout& layout)

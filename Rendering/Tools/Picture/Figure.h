@@ -44,6 +44,8 @@ public:
   [[nodiscard]] bool IsAsked() const { return Asked; }
   /// Requests a figure without the option --figure.
   void Ask() { Asked = true; }
+  /// The height of letters in pixels.
+  [[nodiscard]] int FontOf(const ImageSize& figure) const;
   /// Throws UsageError where a figure of this size has no room for a picture.
   void Check(const ImageSize& size) const;
   /// The rectangles of a figure around a scene whose view has its final direction. `turns`: the
@@ -51,7 +53,9 @@ public:
   /// they have no room. Must be called after Check.
   [[nodiscard]] FigureLayout LayOut(const ImageSize& size, const Shot& shot, bool turns) const;
 
-  /// Draws the legend on a canvas of the figure's size that already contains the picture.
+  /// Draws the legend on a canvas of the figure's size that already contains the picture. Where the
+  /// layout has coordinates and the view, while it is moved, has none, the axes' directions are
+  /// drawn instead.
   void Draw(Canvas& canvas, const FigureContent& content) const;
 
 private:
@@ -62,9 +66,8 @@ private:
     None
   };
 
-  [[nodiscard]] int FontOf(const ImageSize& figure) const;
   [[nodiscard]] std::vector<FigureBar> BarsOf(const FigureContent& content) const;
-  void DrawLegend(FigureLegend& legend, const FigureContent& content) const;
+  void DrawLegend(FigureLegend& legend, const FigureContent& content, bool hasCoordinates) const;
   /// Reports values of --bar-ticks that are on no bar.
   void WarnOfTicks(const std::vector<FigureBar>& bars) const;
 

@@ -137,6 +137,7 @@ ShownCommand::ShownCommand(std::vector<std::string> words, const ImageSize& larg
   if (const Surface& first = *shot_.scene.layers.front().surface; !isViewGiven && first.IsFlat())
   {
     shot_.view = ShowingFlat(shot_.view, first.Normal({}), BoxOf(*shot_.input.model));
+    LayOut();
   }
   for (std::size_t k = 0; k < shot_.chosen.size(); ++k)
   {
@@ -209,7 +210,17 @@ void ShownCommand::Resize(int width, int height)
   State_.Set("--size", fmt::format("{}x{}", width, height));
   RenderOptions& options = Parsed_->options;
   options.shot.size = { width, height, {} };
-  shot_.size = options.figure.PictureSize(options.shot.size);
+  LayOut();
+}
+
+bool ShownCommand::LayOut()
+{
+  const FigureLayout layout = Options().figure.LayOut(Options().shot.size, shot_, false);
+  const bool isNew = layout.corner != shot_.layout->corner ||
+    layout.picture.width != shot_.size.width || layout.picture.height != shot_.size.height;
+  shot_.layout = layout;
+  shot_.size = layout.picture;
+  return isNew;
 }
 
 std::string ShownCommand::NameOfFile(int number) const
@@ -241,8 +252,7 @@ std::vector<std::string> ShownCommand::FigureWords(const std::string& output) co
   ShownNow now = State_.now;
   now.output = output;
   std::vector<std::string> words = WordsOf(now, State_.words, {}, std::to_string(kDefaultContours));
-  // A figure has no bar for colours of a legend.
-  if (!Has(words, "--figure") && !Options().debug.IsInPlace())
+  if (!Has(words, "--figure"))
   {
     words.insert(words.end() - 1, "--figure");
   }

@@ -53,6 +53,9 @@ public:
   void Take(ShownState state);
   /// Changes the size of the figure, in pixels.
   void Resize(int width, int height);
+  /// Divides the figure for the view of the shot, which may have changed. Returns whether the
+  /// picture in it changes.
+  bool LayOut();
 
   /// The words of render for the figure, which it writes to a file.
   [[nodiscard]] std::vector<std::string> FigureWords(const std::string& output) const;

@@ -66,7 +66,7 @@ ViewLayout::ViewLayout()
   Shown->SetWindowName("PixelExact");
   Shown->SetNumberOfLayers(2);
   Back->InteractiveOff();
-  Back->AddViewProp(&Legend.Actor());
+  Back->AddViewProp(&Figure.Actor());
   Back->AddViewProp(&Panel.Actor());
   Shown->AddRenderer(Back);
   Shown->AddRenderer(Inner);
@@ -92,13 +92,17 @@ void ViewLayout::AddOver(vtkRenderer& renderer)
   Shown->AddRenderer(&renderer);
 }
 
-void ViewLayout::PlacePicture(int width, int height)
+void ViewLayout::PlacePicture(const std::array<int, 2>& corner, int width, int height)
 {
   const std::array<int, 2> size = Size();
-  const double right = std::min(1.0, static_cast<double>(width) / size[0]);
-  const double top = std::min(1.0, static_cast<double>(height) / size[1]);
-  Inner->SetViewport(0.0, 0.0, right, top);
-  Over->SetViewport(0.0, 0.0, right, top);
+  const auto part = [](int pixel, int all)
+  { return std::clamp(static_cast<double>(pixel) / all, 0.0, 1.0); };
+  const double left = part(corner[0], size[0]);
+  const double bottom = part(corner[1], size[1]);
+  const double right = part(corner[0] + width, size[0]);
+  const double top = part(corner[1] + height, size[1]);
+  Inner->SetViewport(left, bottom, right, top);
+  Over->SetViewport(left, bottom, right, top);
 }
 
 void ViewLayout::TurnHelp()

@@ -65,10 +65,11 @@ public:
   /// Adds a renderer over the picture.
   void AddOver(vtkRenderer& renderer);
 
-  /// Places a picture of width x height pixels in the window's lower left corner.
-  void PlacePicture(int width, int height);
+  /// Places a picture in the window; `corner`: the lower left one, in pixels.
+  void PlacePicture(const std::array<int, 2>& corner, int width, int height);
+  /// The figure around the picture, from the window's lower left corner.
+  void SetFigure(const Image& image) { Figure.Set(image, 0); }
   /// `left`: the image's place in the window, in pixels.
-  void SetLegend(const Image& image, int left) { Legend.Set(image, left); }
   void SetPanel(const Image& image, int left) { Panel.Set(image, left); }
   /// Shows or hides the keys, over the picture's upper left corner.
   void TurnHelp();
@@ -81,11 +82,11 @@ public:
 
 private:
   vtkNew<vtkRenderWindow> Shown;
-  vtkNew<vtkRenderer> Back; ///< legend and panel
+  vtkNew<vtkRenderer> Back; ///< figure and panel
   vtkNew<vtkRenderer> Inner;
   vtkRenderer* Over = nullptr;
   vtkNew<vtkTextActor> Help;
-  ShownImage Legend;
+  ShownImage Figure;
   ShownImage Panel;
 };
 } // namespace pixelexact

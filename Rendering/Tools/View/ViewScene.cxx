@@ -25,21 +25,6 @@ namespace
 {
 /// Side of the traced picture where no range depends on it.
 constexpr int kSmallSide = 16;
-
-/// The columns of an image from `left` on.
-Image ColumnsFrom(const Image& image, int left)
-{
-  Image part{ image.width - left, image.height, image.channels, {} };
-  const auto channels = static_cast<std::size_t>(image.channels);
-  const std::size_t row = channels * static_cast<std::size_t>(image.width);
-  const std::size_t kept = channels * static_cast<std::size_t>(part.width);
-  part.pixels.resize(kept * static_cast<std::size_t>(image.height));
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
-  {
-    std::copy_n(&image.pixels[(y + 1) * row - kept], kept, &part.pixels[y * kept]);
-  }
-  return part;
-}
 } // namespace
 
 vtkStandardNewMacro(GivenSurfaceOfLayer);
@@ -135,21 +120,20 @@ void ViewScene::Show(const RenderOptions& options, const Shot& shot)
   }
 }
 
-Image ViewScene::Legend(const RenderOptions& options, const Shot& shot) const
+Image ViewScene::Figure(const RenderOptions& options, const Shot& shot) const
 {
-  const ImageSize& size = options.shot.size;
+  const FigureLayout& layout = *shot.layout;
   Rgba background = options.shot.colors.BackgroundColor();
   background[3] = 255;
   RasterCanvas canvas(
-    size.width, size.height, background, options.figure.FontOf(size), options.font.Choice());
+    layout.size.width, layout.size.height, background, layout.font, options.font.Choice());
   Frame frame;
   frame.width = shot.size.width;
   frame.height = shot.size.height;
   frame.counters.unknown = DrawnBy->GetNumberOfUnknownPixels();
-  const bool bars =
+  const bool hasBars =
     !options.contours.AreGiven() || !options.contours.Only() || options.contours.ByMap();
-  options.figure.Draw(canvas, size, { shot, *Colors, frame, options.shot.colors, bars, {} });
-  Image figure = canvas.Picture();
-  return shot.size.height == size.height ? ColumnsFrom(figure, shot.size.width) : std::move(figure);
+  options.figure.Draw(canvas, { shot, *Colors, frame, options.shot.colors, hasBars, {}, {}, {} });
+  return canvas.Picture();
 }
 } // namespace pixelexact

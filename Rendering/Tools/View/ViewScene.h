@@ -40,9 +40,8 @@ public:
 
   /// By layer; none: it has one colour.
   [[nodiscard]] const std::vector<ValueRange>& Ranges() const { return Colors->Ranges(); }
-  /// The figure without its picture, on an opaque background; the columns right of the picture
-  /// alone where nothing is above it.
-  [[nodiscard]] Image Legend(const RenderOptions& options, const Shot& shot) const;
+  /// The figure without its picture, on an opaque background.
+  [[nodiscard]] Image Figure(const RenderOptions& options, const Shot& shot) const;
 
 private:
   void FindRanges(const RenderOptions& options, const Shot& shot);

@@ -46,7 +46,7 @@ ViewWindow::ViewWindow(const std::vector<std::string>& words)
 {
   const RenderOptions& options = Command.Options();
   const ImageSize& size = options.shot.size;
-  PanelWidth = ViewPanel::WidthBeside(options.figure.FontOf(size));
+  PanelWidth = ViewPanel::WidthBeside(Command.GetShot().layout->font);
   Layout.Window().SetSize(size.width + PanelWidth, size.height);
   const Rgba background = options.shot.colors.BackgroundColor();
   Layout.Picture().SetBackground(
@@ -87,19 +87,22 @@ void ViewWindow::Update()
     PanelChanges = true;
   }
   Shot& shot = Command.GetShot();
-  Layout.PlacePicture(shot.size.width, shot.size.height);
   vtkCamera* camera = Layout.Picture().GetActiveCamera();
+  shot.view = ViewOf(camera);
+  const bool isMoving = Layout.Window().GetDesiredUpdateRate() >= 1.0;
+  if (!isMoving && Command.LayOut())
+  {
+    LegendChanges = true;
+  }
+  Layout.PlacePicture(shot.layout->corner, shot.size.width, shot.size.height);
   Layout.Picture().ResetCameraClippingRange();
   Handles.Update(*camera);
-  shot.view = ViewOf(camera);
   const auto now = std::chrono::steady_clock::now();
-  const bool isMoving = Layout.Window().GetDesiredUpdateRate() >= 1.0;
   if (LegendChanges ||
     (!(shot.view == LegendView) && (!isMoving || now - LegendTime > kLegendPeriod)))
   {
     LegendTime = now;
-    const Image legend = Scene.Legend(Command.Options(), shot);
-    Layout.SetLegend(legend, size.width - legend.width);
+    Layout.SetFigure(Scene.Figure(Command.Options(), shot));
     LegendView = shot.view;
     LegendChanges = false;
   }
