@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 
-from tool import CUBE, ToolTest, View, case, read_buffers, read_image, unit_cube_grid
+from tool import CUBE, ToolTest, View, case, plain_grid, read_buffers, read_image, unit_cube_grid
 
 SVG = "{http://www.w3.org/2000/svg}"
 WIDTH, HEIGHT = 300, 200
@@ -86,6 +86,20 @@ class Arrows(ToolTest):
     def test_tangential(self):
         view = View([2.5, -1.5, 2.0], [0.5, 0.5, 0.5], [0.0, 0.0, 1.0], WIDTH, HEIGHT, angle=30)
         self.check(view, "--arrows-tangential", change=lambda v: v * [1.0, 1.0, 0.0])
+
+    def test_vectors_are_those_of_the_pixels_element(self):
+        """Two elements with a jump between them: the face belongs to one of them."""
+        points = [[x, y, z] for part in (0, 1) for x, y, z in [[p[0] + part, p[1], p[2]] for p in CUBE]]
+        vectors = [[1.0, 0.0, 0.0]] * 8 + [[0.0, 1.0, 0.0]] * 8
+        cells = [(12, list(range(8))), (12, list(range(8, 16)))]
+        self.cube.write_text(plain_grid(points, cells, [("u", [p[0] for p in points]), ("v", vectors)]), encoding="utf-8")
+        view = View([-3.0, 0.8, 2.5], [1.0, 0.5, 0.5], [0.0, 0.0, 1.0], WIDTH, HEIGHT, angle=30)
+        report, begins, ends = self.draw(view, "--boundary=element:1", plane="z=9")
+        buffers = read_buffers(self.folder / "a.vti")
+        pixel = np.floor(begins).astype(int)
+        x = buffers["Position"][pixel[:, 1], pixel[:, 0]]
+        self.assertGreater((np.abs(x[:, 0] - 1.0) < 1e-9).sum(), 20)
+        np.testing.assert_allclose(ends, project(view, x + report["scale"] * np.array([0.0, 1.0, 0.0])), atol=0.05)
 
     def test_width_and_colour(self):
         image = self.folder / "a.png"
@@ -191,6 +205,37 @@ class Texture(ToolTest):
         self.assertEqual(report["pixels"], 0)
         self.assertTrue((texture == 255).all())
 
+    def test_lines_and_colours_without_values_stay(self):
+        words = ["--contours", "0.25,0.5", "--contour-color", "1,0,1", "--contour-width", "4", "--edges", "3",
+            "--edge-color", "0,0,1"]
+        found = []
+        for more in ([], ["--lic", "v"]):
+            self.succeeds("render", self.cube, "--field", "u", "--plane", "z", "--colormap", "grayscale", "--size",
+                "200x200", "-o", self.image, *words, *more)
+            pixels = read_image(self.image)
+            found.append((pixels == [255, 0, 255]).all(axis=2).sum())
+        self.assertGreater(found[0], 300)
+        self.assertEqual(*found)
+        self.cube.write_text(unit_cube_grid([("u", [float("nan")] * 8), ("v", VECTORS)]), encoding="utf-8")
+        self.succeeds("render", self.cube, "--field", "u", "--plane", "z", "--nan-color", "0,1,0", "--lic", "v",
+            "--size", "60x60", "-o", self.image, "-q")
+        colors = np.unique(read_image(self.image).reshape(-1, 3), axis=0)
+        np.testing.assert_array_equal(colors, [[0, 255, 0], [255, 255, 255]])
+
+    def test_streaks_end_at_other_surfaces(self):
+        """A disc one pixel in front of a plane: noise on both sides of its edge is independent."""
+        pixel = 1.0 / 300
+        for gap in (1.2, 4.0):
+            _, texture = self.draw("vec(1,0,0)", "--disc", f"0.5,0.5,{0.5 + gap * pixel},0,0,1,0.25", "--component", "0")
+            inside, across = [], []
+            for row in range(100, 200, 3):
+                edge = 149.5 + np.sqrt((0.25 / pixel) ** 2 - (row - 149.5) ** 2)
+                left, right = int(edge) - 3, int(edge) + 4
+                across.append((texture[row, left], texture[row, right]))
+                inside.append((texture[row, 147], texture[row, 154]))
+            self.assertGreater(np.corrcoef(np.transpose(inside))[0, 1], 0.6)
+            self.assertLess(abs(np.corrcoef(np.transpose(across))[0, 1]), 0.5)
+
     def test_on_the_boundary(self):
         found = self.summary("render", case("toroid_hex_g3_p6"), "--boundary", "--view", "iso", "--lic", "vec(-y,x,u)",
             "--size", "200x150", "-o", self.image)
@@ -201,6 +246,9 @@ class Texture(ToolTest):
         self.fails(1, *base, "--lic", "u", names=["--lic", "'u'", "1 component"])
         self.fails(2, *base, "--lic-length", "9", names=["--lic-length", "--lic"])
         self.fails(2, *base, "--lic", "v", "--lic-strength", "2", names=["--lic-strength"])
+        self.fails(2, *base, "--lic", "v", "--owners", names=["--lic", "--owners"])
+        for option in ("--lic", "--arrows"):
+            self.fails(2, "render", self.cube, "--volume", "u", option, "v", "-o", self.image, names=[option, "surface"])
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import operator
 import os
 import shutil
@@ -11,6 +12,7 @@ import tempfile
 from pathlib import Path as FilePath
 from typing import Any, Sequence, Union
 
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 from . import _run
@@ -96,12 +98,24 @@ def words_of(options: dict[str, Any]) -> list[str]:
     return words
 
 
+def _forget_ranges(grid: Any) -> None:
+    """VTK writes the range of vectors' lengths that arrays keep, and cannot read infinity in it."""
+    for data in (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData()):
+        for k in range(data.GetNumberOfArrays()):
+            array = data.GetArray(k)
+            if array is not None and not all(map(math.isfinite, array.GetRange(-1))):
+                # The writer keeps a range that is there.
+                array.GetInformation().Set(vtkDataArray.L2_NORM_RANGE(), (0.0, 1.0), 2)
+
+
 def _write(grid: Any, file: str) -> None:
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetFileName(file)
-    writer.SetInputData(as_high_order(grid))
+    data = as_high_order(grid)
+    _forget_ranges(data)
+    writer.SetInputData(data)
     writer.SetDataModeToBinary()
     writer.SetHeaderTypeToUInt64()
     writer.SetCompressorTypeToNone()
@@ -137,9 +151,13 @@ def run_tool(
     with tempfile.TemporaryDirectory(prefix="pixelexact-") as folder:
         files = files_of(function, grid, folder)
         done = subprocess.run(
-            [tool, command, *files, *words, "--json"], capture_output=True, text=True, check=False
+            [tool, command, *files, *words, "--json"], capture_output=True, text=True, check=False,
+            errors="surrogateescape",
         )
-    report: dict[str, Any] = json.loads(done.stdout or "{}")
+    try:
+        report: dict[str, Any] = json.loads(done.stdout or "{}")
+    except ValueError:
+        raise Error(f"{function}: '{tool}' printed no report, but: {done.stdout[:200]}") from None
     if done.returncode != 0:
         said = report.get("error") or text_of_error(done.stderr)
         raise Error(said or f"{function}: the program ended with status {done.returncode}")

@@ -38,7 +38,7 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   // The report states the range of visible values.
   const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs() | options.marks.Needs() |
-    options.arrows.Needs();
+    options.arrows.Needs() | options.texture.Needs();
   View view = ViewOf(options.shot.colors, &options.contours, shot);
   view.stride = options.quality.Stride();
   return AreSeveralProcesses() ? TraceTogether(view, others, progress)
@@ -131,14 +131,17 @@ DrawnShot::DrawnShot(
   }
   Pipeline pipeline = painter.MakePipeline({ .edges = !edges, .contours = !contours });
   Told.AddTo(pipeline, shot, Pixels);
+  if (options.texture.IsAsked())
+  {
+    found_.texture = options.texture.Find(shot, Pixels);
+    pipeline.colors.insert(
+      std::find(pipeline.colors.begin(), pipeline.colors.end(), painter.Undecided()),
+      found_.texture->colors.get());
+  }
   const auto interruption = AddInterruption(goesOn, pipeline);
   const View& view = Colors->GetView();
   Repaint(view.scene, view.camera.Make(), pipeline, Pixels);
   Told.Count(Pixels, painter.Undecided());
-  if (options.texture.IsAsked())
-  {
-    found_.texture = options.texture.Apply(shot, Pixels);
-  }
   if (edges)
   {
     AddLines(*edges, shot.appearance.edges->width, shot.appearance.edges->colors.front());

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/FieldArrows.h"
 
+#include "Base/Report.h"
 #include "Picture/Projection.h"
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
+#include "Core/Location/Locator.h"
 #include "Core/Location/Sample.h"
 #include "Views/VtkLook.h"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace pixelexact
 {
@@ -35,8 +39,26 @@ struct Place
   Vec3 vector;
 };
 
-/// The exact pixels nearest to a grid of a spacing.
-std::vector<Place> PlacesOf(const SampleBuffers& samples, double spacing)
+double LengthOf(const Vec3& v)
+{
+  return std::hypot(v.x, v.y, v.z); // without overflow of squares
+}
+
+/// The vector at a pixel, in its element.
+Vec3 VectorAt(const Shot& shot, const Field& field, const SampleBuffers& samples, std::size_t pixel)
+{
+  const auto components = static_cast<std::size_t>(field.values.components);
+  std::array<double, 3> values{};
+  EvaluateAt(shot.scene.locator->GetMesh(), field, static_cast<int>(samples.element[pixel]),
+    std::span(&samples.xi[pixel], 1), std::span(values).first(components), {},
+    { std::span(&samples.position[pixel], 1), std::span(&samples.normal[pixel], 1) });
+  return { values[0], values[1], values[2] };
+}
+
+/// The exact pixels nearest to a grid of a spacing, on layers that are visible, where the field has
+/// a finite vector.
+std::vector<Place> PlacesOf(
+  const Shot& shot, const Field& field, const SampleBuffers& samples, double spacing)
 {
   std::vector<Place> places;
   for (double y = 0.5 * spacing; y < samples.height; y += spacing)
@@ -46,50 +68,20 @@ std::vector<Place> PlacesOf(const SampleBuffers& samples, double spacing)
       const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) +
         static_cast<std::size_t>(x);
-      if (samples.verdict[pixel] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+      if (samples.verdict[pixel] != static_cast<std::uint8_t>(PixelVerdict::Exact) ||
+        shot.settings[samples.layer[pixel]].opacity <= 0.0)
       {
-        places.push_back({ samples.position[pixel], samples.normal[pixel], Vec3(0.0) });
+        continue;
+      }
+      const Place place{ samples.position[pixel], samples.normal[pixel],
+        VectorAt(shot, field, samples, pixel) };
+      if (std::isfinite(LengthOf(place.vector)))
+      {
+        places.push_back(place);
       }
     }
   }
   return places;
-}
-
-/// Evaluates the field at the places, and removes those where it has no finite value.
-void AddVectors(const Shot& shot, const Field& field, std::vector<Place>& places)
-{
-  std::vector<Vec3> points;
-  std::vector<Vec3> normals;
-  points.reserve(places.size());
-  normals.reserve(places.size());
-  for (const Place& place : places)
-  {
-    points.push_back(place.x);
-    normals.push_back(place.normal);
-  }
-  const auto components = static_cast<std::size_t>(field.values.components);
-  std::vector<double> values(components * places.size());
-  std::vector<Verdict> verdicts(places.size());
-  SampleTarget target;
-  target.verdict = verdicts;
-  target.value = values;
-  target.normals = normals;
-  Sample(*shot.scene.locator, &field, points, target);
-  std::vector<Place> known;
-  known.reserve(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    Place place = places[i];
-    for (std::size_t c = 0; c < components; ++c)
-    {
-      place.vector[static_cast<int>(c)] = values[components * i + c];
-    }
-    if (verdicts[i] == Verdict::Inside && std::isfinite(glm::dot(place.vector, place.vector)))
-    {
-      known.push_back(place);
-    }
-  }
-  places = std::move(known);
 }
 
 /// The part of a vector across the ray to its place, in pixels.
@@ -99,7 +91,7 @@ double PixelsAcross(const Projection& projection, const CameraView& view, const 
   const Vec3 way = place.x - view.position;
   const Vec3 ray = view.parallel ? forward : glm::normalize(way);
   const Vec3 across = place.vector - glm::dot(place.vector, ray) * ray;
-  return glm::length(across) / projection.PixelAt(glm::dot(way, forward));
+  return LengthOf(across) / projection.PixelAt(glm::dot(way, forward));
 }
 } // namespace
 
@@ -124,7 +116,9 @@ void FieldArrows::ResolveLengths(const std::optional<double>& dpi)
 
 Buffer FieldArrows::Needs() const
 {
-  return IsAsked() ? Buffer::Position | Buffer::Normal | Buffer::Verdict : Buffer::None;
+  return IsAsked() ? Buffer::Position | Buffer::Normal | Buffer::Verdict | Buffer::Element |
+      Buffer::Xi | Buffer::Layer
+                   : Buffer::None;
 }
 
 double FieldArrows::SpacingFor(int width) const
@@ -136,8 +130,7 @@ FoundArrows FieldArrows::Find(const Shot& shot, const Frame& frame) const
 {
   const pixelexact::Field& field = VectorField(*shot.input.model, "--arrows", Name);
   const double spacing = SpacingFor(frame.width);
-  std::vector<Place> places = PlacesOf(frame.centres, spacing);
-  AddVectors(shot, field, places);
+  std::vector<Place> places = PlacesOf(shot, field, frame.centres, spacing);
   FoundArrows found;
   found.field = field.name;
   const Projection projection(shot.view, frame.width, frame.height);
@@ -148,7 +141,7 @@ FoundArrows FieldArrows::Find(const Shot& shot, const Frame& frame) const
     {
       place.vector -= glm::dot(place.vector, place.normal) * place.normal;
     }
-    found.longest = std::max(found.longest, glm::length(place.vector));
+    found.longest = std::max(found.longest, LengthOf(place.vector));
     pixels = std::max(pixels, PixelsAcross(projection, shot.view, place));
   }
   found.scale = Scale.value_or(pixels > 0.0 ? kLongest * spacing / pixels : 1.0);
@@ -162,6 +155,11 @@ FoundArrows FieldArrows::Find(const Shot& shot, const Frame& frame) const
     {
       found.arrows.push_back({ from->at, to->at });
     }
+  }
+  if (const std::size_t lost = places.size() - found.arrows.size(); lost > 0)
+  {
+    Note(fmt::format(
+      "--arrows: {} of {} arrows are not drawn: they end behind the viewer", lost, places.size()));
   }
   return found;
 }

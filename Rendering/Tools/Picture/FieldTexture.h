@@ -4,9 +4,10 @@
 #include "Base/Options.h"
 
 #include "Trace/Frame.h"
+#include "Trace/Pipeline.h"
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
 
 namespace pixelexact
@@ -19,20 +20,23 @@ struct FoundTexture
   std::string field;
   std::int64_t pixels = 0;  ///< that have it
   std::int64_t samples = 0; ///< number of evaluated vectors
+  /// Darkens the colours of the surfaces that are nearest to the viewer. Belongs after lights.
+  std::shared_ptr<const SampleColors> colors;
 };
 
 /// A texture of a vector field's directions over the colours of the visible surfaces, by line
-/// integral convolution: --lic.
+/// integral convolution: --lic. Of translucent surfaces the nearest ones have it.
 class FieldTexture
 {
 public:
   void AddTo(CLI::App& command);
   [[nodiscard]] bool IsAsked() const { return !Name.empty(); }
   [[nodiscard]] const std::string& Field() const { return Name; }
+  /// The buffers of centres that Find reads.
+  [[nodiscard]] Buffer Needs() const;
 
-  /// Darkens the image of a painted frame. Throws Error where the model has no such field, or it
-  /// has neither 2 nor 3 components.
-  FoundTexture Apply(const Shot& shot, Frame& frame) const;
+  /// Throws Error where the model has no such field, or it has neither 2 nor 3 components.
+  [[nodiscard]] FoundTexture Find(const Shot& shot, const Frame& frame) const;
 
 private:
   std::string Name;

@@ -86,6 +86,14 @@ void RenderOptions::Check(const std::string& picture)
   }
   animation.Check(shot.input);
   shot.volume.Check(shot.HasVolumeAlone());
+  for (const char* option : { "--arrows", "--lic" })
+  {
+    if (shot.HasVolumeAlone() && IsGiven(*shot.command, option))
+    {
+      throw UsageError(std::string(option) +
+        " is drawn on surfaces, and there is a volume alone; give a surface, such as --plane z");
+    }
+  }
   if (shot.volume.IsAsked() && animation.IsAsked(shot.input))
   {
     throw UsageError("--volume: is not available in animations; choose one --time-step");
@@ -115,6 +123,10 @@ void RenderOptions::Check(const std::string& picture)
   if (Has(buffers.Needs(true), Buffer::Jump) && !Has(debug.Needs(), Buffer::Jump))
   {
     throw UsageError("--arrays: 'Jump' needs --show jumps");
+  }
+  if (debug.IsInPlace() && texture.IsAsked())
+  {
+    throw UsageError("--lic would change the colours of a legend; leave out --owners and --show");
   }
   contours.Check(layers);
   if (figure.IsAsked())

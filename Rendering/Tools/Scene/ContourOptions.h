@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/ImageSize.h"
+
 #include "Trace/Appearance/Appearance.h"
 
 #include <optional>

@@ -21,7 +21,10 @@
 #include <vtkCellType.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -227,6 +230,12 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
     {
       throw Error("it holds coefficients, whose nodes nobody asks for; leave out --nodes and "
                   "--mirrored-wedges");
+    }
+    if (!input.times.empty())
+    {
+      // Expressions read it as t.
+      input.grid->GetInformation()->Set(
+        vtkDataObject::DATA_TIME_STEP(), input.times[static_cast<std::size_t>(input.step)]);
     }
     if (before != nullptr)
     {

@@ -31,8 +31,10 @@ constexpr int kServed = 60;
 /// Seeds of one pass are this far apart in both directions.
 constexpr int kSeedSpacing = 8;
 constexpr std::size_t kBatch = 1024;
-/// A step to a point farther away than this many pixels leaves the surface.
-constexpr double kMaxStep = 6.0;
+/// A step leaves the surface if it is so many times as long as the field's direction says, or
+/// leaves the tangential plane by such a part of a pixel.
+constexpr double kMaxStep = 4.0;
+constexpr double kMaxOffset = 0.5;
 /// Standard deviation of the texture.
 constexpr double kDeviation = 0.22;
 
@@ -42,7 +44,10 @@ struct StreamPoint
   ImagePosition at{};
   std::array<double, 2> direction{}; ///< of unit length, in pixels
   Vec3 x{ 0.0 };                     ///< on the surface
-  double pixel = 0.0;                ///< the length of a pixel there
+  Vec3 normal{ 0.0 };
+  double pixel = 0.0;  ///< the length of a pixel there
+  double stride = 0.0; ///< the length of a step of a pixel along the surface
+  std::uint8_t layer = 0;
   bool isValid = false;
 };
 
@@ -96,8 +101,8 @@ private:
     Frame none;
     const Pipeline pipeline;
     TileVisit visit(&Traced, &Rays, pipeline, none, {});
-    const SampleBuffers samples =
-      visit.Trace(positions, Buffer::Position | Buffer::Normal | Buffer::Xi | Buffer::Element);
+    const SampleBuffers samples = visit.Trace(
+      positions, Buffer::Position | Buffer::Normal | Buffer::Xi | Buffer::Element | Buffer::Layer);
     std::vector<std::size_t> order;
     order.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -147,7 +152,10 @@ private:
       {
         vector[static_cast<int>(c)] = values[components * k + c];
       }
-      SetDirection(x[k], vector - glm::dot(vector, normals[k]) * normals[k], points[which[k]]);
+      StreamPoint& point = points[which[k]];
+      point.layer = samples.layer[which[k]];
+      point.normal = normals[k];
+      SetDirection(x[k], vector - glm::dot(vector, normals[k]) * normals[k], point);
     }
   }
 
@@ -166,6 +174,7 @@ private:
     if (point.isValid)
     {
       point.direction = { across / length, up / length };
+      point.stride = glm::length(tangent) * point.pixel / length;
     }
   }
 
@@ -293,8 +302,7 @@ private:
       std::size_t kept = 0;
       for (std::size_t k = 0; k < heads.size(); ++k)
       {
-        if (middles[k].isValid && next[k].isValid &&
-          glm::distance(next[k].x, heads[k].x) < kMaxStep * heads[k].pixel)
+        if (middles[k].isValid && next[k].isValid && IsOneStep(heads[k], next[k]))
         {
           Lines[line[k]].push_back(PixelOf(next[k].at));
           heads[kept] = next[k];
@@ -304,6 +312,15 @@ private:
       heads.resize(kept);
       line.resize(kept);
     }
+  }
+
+  /// Whether two points one pixel apart are on the same part of a surface.
+  static bool IsOneStep(const StreamPoint& from, const StreamPoint& to)
+  {
+    const Vec3 way = to.x - from.x;
+    return from.layer == to.layer &&
+      glm::length(way) < kMaxStep * std::max(from.stride, to.stride) &&
+      std::fabs(glm::dot(way, from.normal)) < kMaxOffset * from.pixel;
   }
 
   /// Moves from `from` by a length along the directions of `by`, and evaluates there.
