@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <numbers>
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace pixelexact
@@ -164,6 +166,42 @@ void Canvas::WriteTurned(const std::string& text, const CanvasPoint& at, double 
 double Canvas::WidthOf(const std::string& text)
 {
   return Fonts.WidthOf(Context, ValidUtf8(text));
+}
+
+std::vector<std::string> Canvas::Wrapped(const std::string& text, double room)
+{
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    std::string longer = lines.back();
+    longer.append(longer.empty() ? "" : " ").append(word);
+    if (!lines.back().empty() && WidthOf(longer) > room)
+    {
+      lines.push_back(std::move(word));
+    }
+    else
+    {
+      lines.back() = std::move(longer);
+    }
+  }
+  return lines;
+}
+
+std::string Canvas::Shortened(const std::string& text, double room)
+{
+  std::string shown = ValidUtf8(text);
+  while (shown.size() > 3 && WidthOf(shown) > room)
+  {
+    // A letter may have several bytes, whose further ones begin with the bits 10.
+    std::size_t end = shown.size() - (shown.ends_with("...") ? 4 : 1);
+    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U)
+    {
+      --end;
+    }
+    shown.replace(end, std::string::npos, "...");
+  }
+  return shown;
 }
 
 void Canvas::Clip(int width, int height)

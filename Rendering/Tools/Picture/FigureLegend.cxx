@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 namespace pixelexact
 {
@@ -80,46 +79,15 @@ CanvasPoint FigureLegend::NextRows(std::size_t rows)
   return at;
 }
 
-std::vector<std::string> FigureLegend::Wrapped(const std::string& text, double room)
-{
-  std::vector<std::string> lines(1);
-  std::istringstream words(text);
-  for (std::string word; words >> word;)
-  {
-    std::string longer = lines.back();
-    longer.append(longer.empty() ? "" : " ").append(word);
-    if (!lines.back().empty() && To.WidthOf(longer) > room)
-    {
-      lines.push_back(std::move(word));
-    }
-    else
-    {
-      lines.back() = std::move(longer);
-    }
-  }
-  return lines;
-}
-
 void FigureLegend::Write(const std::string& text, const CanvasPoint& at, double room)
 {
-  std::string shown = ValidUtf8(text);
-  while (shown.size() > 3 && To.WidthOf(shown) > room)
-  {
-    // A letter may have several bytes, whose further ones begin with the bits 10.
-    std::size_t end = shown.size() - (shown.ends_with("...") ? 4 : 1);
-    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U)
-    {
-      --end;
-    }
-    shown.replace(end, std::string::npos, "...");
-  }
-  To.Write(shown, at[0], at[1], TextAnchor::Left, Ink);
+  To.Write(To.Shortened(text, room), at[0], at[1], TextAnchor::Left, Ink);
 }
 
 void FigureLegend::AddMark(const ColorMark& mark)
 {
   const double room = (kColumn - 2.5) * Font;
-  const std::vector<std::string> lines = Wrapped(mark.text, room);
+  const std::vector<std::string> lines = To.Wrapped(mark.text, room);
   const CanvasPoint at = NextRows(lines.size());
   const int x = static_cast<int>(at[0]);
   const int y = static_cast<int>(at[1]) - Font / 2;
@@ -273,7 +241,7 @@ void FigureLegend::AddBarBeside(const FigureBar& bar, double top, double room)
   const int left = Layout.size.width - (kColumn - 1) * Font;
   const double width = (kColumn - 1.2) * Font;
   double y = top - 0.7 * Font;
-  for (const std::string& line : Wrapped(bar.name, width))
+  for (const std::string& line : To.Wrapped(bar.name, width))
   {
     Write(line, { static_cast<double>(left), y }, width);
     y -= kNameRow * Font;

@@ -78,8 +78,6 @@ private:
 
   /// The left end of the next rows' middle, from which `rows` rows run downwards.
   [[nodiscard]] CanvasPoint NextRows(std::size_t rows);
-  /// The lines of a text that are no wider than `room`, where words allow it.
-  [[nodiscard]] std::vector<std::string> Wrapped(const std::string& text, double room);
   void Write(const std::string& text, const CanvasPoint& at, double room);
   [[nodiscard]] int MaxTicks(int length, bool isUpright) const;
   /// A bar in the strip, from `left`, and one in the column, down from `top`.

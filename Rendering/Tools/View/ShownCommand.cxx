@@ -40,8 +40,8 @@ void CheckForWindow(const RenderOptions& options)
                      "--stride");
   }
   std::vector<std::string> names;
-  for (const char* name :
-    { "--owners", "--show", "--mark-extremes", "--buffers", "--contours-output" })
+  for (const char* name : { "--owners", "--show", "--mark-extremes", "--buffers",
+         "--contours-output", "--arrows", "--lic" })
   {
     if (IsGiven(*options.shot.command, name))
     {
