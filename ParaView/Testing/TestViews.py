@@ -88,7 +88,7 @@ def set_appearance(shown, view):
     shown.ElementEdges = int("edges" in view)
     shown.EdgesByKind = int(view.get("edges_by_kind", False))
     shown.LineWidth = view.get("edges", 1.5)
-    shown.EdgeColor = view.get("edge_color", [0, 0, 0])
+    shown.EdgeColor = view.get("edge_color", [0.4, 0.4, 0.4])
     shown.PixelExactSamples = view.get("samples", 1)
     shown.Ambient, shown.Diffuse = 1.0, 0.0
 

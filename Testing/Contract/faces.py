@@ -152,10 +152,13 @@ def actor_of(view):
     mapper.SetOutlineColor(view.get("outline_color", [0, 0, 0]))
     actor = vtkActor()
     actor.SetMapper(mapper)
+    # The material of the program, whose parts that face the viewer have the map's colours.
+    actor.GetProperty().SetAmbient(0.4)
+    actor.GetProperty().SetDiffuse(0.6)
     if "edges" in view:
         actor.GetProperty().EdgeVisibilityOn()
         actor.GetProperty().SetLineWidth(view["edges"])
-        actor.GetProperty().SetEdgeColor(view.get("edge_color", [0, 0, 0]))
+        actor.GetProperty().SetEdgeColor(view.get("edge_color", [0.4, 0.4, 0.4]))
     for numbers in view.get("clip", []):
         plane = vtkPlane()
         plane.SetOrigin(numbers[:3])

@@ -215,7 +215,8 @@ class Layers(SurfaceTest):
         _, buffers, _ = self.render(self.source, *options, *self.view.options())
         exact = buffers["Verdict"] == EXACT
         facing = np.abs(buffers["Normal"][exact][:, 2])
-        lit = np.outer(facing, [255, 127.5, 0])
+        # Ambient light gives 0.4 of the colour.
+        lit = np.outer(0.4 + 0.6 * facing, [255, 127.5, 0])
         self.assertLess(np.abs(buffers["Color"][exact][:, :3] - lit).max(), 1.01)
         _, flat, _ = self.render(self.source, *options, "--lights", "off", *self.view.options())
         self.assertTrue((flat["Color"][exact][:, :3] == [255, 128, 0]).all())
@@ -224,7 +225,7 @@ class Layers(SurfaceTest):
         shown = plain["Verdict"] == EXACT
         self.assertTrue((plain["Color"][shown][:, :3] == [255, 128, 0]).all())
         _, shaded, _ = self.render(self.source, *plane, "--lights", "on", *self.view.options())
-        half = np.array([255, 127.5, 0]) / np.sqrt(2)
+        half = np.array([255, 127.5, 0]) * (0.4 + 0.6 / np.sqrt(2))
         self.assertLess(np.abs(shaded["Color"][shown][:, :3] - half).max(), 1.01)
 
     def test_smooth_edges(self):

@@ -113,7 +113,7 @@ def cut(
     show_undecided: bool = False,
     undecided_color: Color = (1.0, 0.0, 0.5),
     edges: Union[bool, float] = False,
-    edge_color: Color = (0.0, 0.0, 0.0),
+    edge_color: Color = (0.4, 0.4, 0.4),
     edges_by_kind: bool = False,
     outlines: bool = False,
     outline_color: Color = (0.0, 0.0, 0.0),
