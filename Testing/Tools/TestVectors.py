@@ -204,6 +204,13 @@ class Texture(ToolTest):
         report, texture = self.draw("z")
         self.assertEqual(report["pixels"], 0)
         self.assertTrue((texture == 255).all())
+        # What remains of it by rounding on an oblique or curved surface is no direction.
+        for surface, field in [(["--plane", "0.5,0.5,0.5,0.3,0.4,1"], "vec(0.3,0.4,1)"),
+                               (["--sphere", "0.5,0.5,0.5,0.3"], "vec(coords.x-0.5,coords.y-0.5,coords.z-0.5)")]:
+            found = self.summary("render", self.cube, "--field", "u", *surface, "--size", "100x100", "--lic", field,
+                "-o", self.image)
+            self.assertGreater(found["pixels"]["exact"], 1000)
+            self.assertLess(found["lic"]["pixels"], 0.001 * found["pixels"]["exact"])
 
     def test_lines_and_colours_without_values_stay(self):
         words = ["--contours", "0.25,0.5", "--contour-color", "1,0,1", "--contour-width", "4", "--edges", "3",

@@ -35,6 +35,9 @@ constexpr std::size_t kBatch = 1024;
 /// leaves the tangential plane by such a part of a pixel.
 constexpr double kMaxStep = 4.0;
 constexpr double kMaxOffset = 0.5;
+/// Part of a vector that may remain of its tangential part by rounding where it is normal to the
+/// surface.
+constexpr double kRounding = 1e-12;
 /// Standard deviation of the texture.
 constexpr double kDeviation = 0.22;
 
@@ -155,11 +158,13 @@ private:
       StreamPoint& point = points[which[k]];
       point.layer = samples.layer[which[k]];
       point.normal = normals[k];
-      SetDirection(x[k], vector - glm::dot(vector, normals[k]) * normals[k], point);
+      const Vec3 tangent = vector - glm::dot(vector, normals[k]) * normals[k];
+      SetDirection(x[k], tangent, kRounding * glm::length(vector), point);
     }
   }
 
-  void SetDirection(const Vec3& x, const Vec3& tangent, StreamPoint& point) const
+  /// `noise`: tangents that are no longer have no direction.
+  void SetDirection(const Vec3& x, const Vec3& tangent, double noise, StreamPoint& point) const
   {
     const Vec3 way = x - Eye;
     const double depth = glm::dot(way, Forward);
@@ -170,7 +175,7 @@ private:
     const double across = glm::dot(tangent, Right) - farther * glm::dot(way, Right);
     const double up = glm::dot(tangent, Up) - farther * glm::dot(way, Up);
     const double length = std::hypot(across, up);
-    point.isValid = length > 0.0 && std::isfinite(length);
+    point.isValid = length > 0.0 && std::isfinite(length) && glm::length(tangent) > noise;
     if (point.isValid)
     {
       point.direction = { across / length, up / length };

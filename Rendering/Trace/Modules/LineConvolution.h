@@ -27,8 +27,8 @@ struct ConvolvedNoise
 /// streamline serves many pixels). Departure: a streamline is integrated in the picture by the
 /// midpoint rule in steps of a pixel, and each of its vectors is evaluated exactly at the point of
 /// the surface that the ray of that position hits; no vector is interpolated between pixels or
-/// nodes. Streamlines end where the surface ends or another one is in front, where the vector is
-/// 0, and where nothing is known.
+/// nodes. Streamlines end where the surface ends or another one is in front, where the
+/// vector has no tangential part above its rounding, and where nothing is known.
 ///
 /// `halfLength`: pixels along a streamline to each side that are averaged, 1 or more. `field` has 2
 /// or 3 components. The result does not depend on the number of threads. Throws Error as tracing
