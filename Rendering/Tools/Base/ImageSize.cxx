@@ -50,7 +50,6 @@ void PixelLength::Resolve(const std::optional<double>& dpi)
   {
     return;
   }
-  constexpr double kPointsPerInch = 72.0;
   if (dpi)
   {
     value *= *dpi / kPointsPerInch;

@@ -15,6 +15,9 @@ struct ImageSize
   int height = 1000;                           ///< 0: not given
   std::optional<std::array<double, 2>> inches; ///< as given; none: pixels were
 };
+/// Points of print in an inch.
+inline constexpr double kPointsPerInch = 72.0;
+
 /// A length in a picture: in pixels, or in points of print ("0.5pt"), 72 to an inch, until
 /// Resolve makes pixels of them.
 struct PixelLength

@@ -33,7 +33,11 @@ ShotOptions OfPicture(const ShotOptions& shot, const DifferenceOptions& differen
 {
   ShotOptions asked = shot;
   asked.layout = [&difference, size = shot.size](const Shot& of)
-  { return difference.Figure().LayOut(size, of, false); };
+  {
+    FigureLayout layout = difference.Figure().LayOut(size, of, false);
+    difference.Figure().NoteEffects(layout, of);
+    return layout;
+  };
   return asked;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/VectorCanvas.h"
 
+#include "Base/ImageSize.h"
 #include "Base/Provenance.h"
 #include "Drawing/CairoFonts.h"
 #include "Drawing/Picture.h"
@@ -21,8 +22,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kPointsPerInch = 72.0;
-
 cairo_status_t Append(void* closure, const unsigned char* data, unsigned int length)
 {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);

@@ -30,7 +30,6 @@ namespace
 {
 constexpr double kSmallestFont = 8.0;
 constexpr double kLargestFont = 200.0;
-constexpr double kPointsPerInch = 72.0;
 constexpr double kDefaultPoints = 7.0;
 constexpr double kSmallestPoints = 4.0;
 /// Height of a title, in units of the font's size.
@@ -199,12 +198,20 @@ FigureLayout FigureOptions::LayOut(const ImageSize& size, const Shot& shot, bool
       return layout;
     }
   }
-  if (Which == Axes::Coordinates)
+  return Divide(size, font, !Title.empty(), aspect, false);
+}
+
+void FigureOptions::NoteEffects(const FigureLayout& layout, const Shot& shot) const
+{
+  if (Which == Axes::Coordinates && !layout.hasCoordinates)
   {
     Note("--axes coordinates: this view has none, because it is oblique or turns, shows several "
          "surfaces in perspective, or has no room for them");
   }
-  return Divide(size, font, !Title.empty(), aspect, false);
+  if (!LengthUnit.empty() && !layout.hasCoordinates && !HasOneScale(shot))
+  {
+    Note("--length-unit has no effect: an oblique view has neither coordinates nor a scale");
+  }
 }
 
 std::vector<FigureBar> FigureOptions::BarsOf(const FigureContent& content) const
@@ -281,10 +288,6 @@ void FigureOptions::DrawLegend(
   if (!hasCoordinates && unit > 0.0 && std::isfinite(unit))
   {
     legend.AddScale(unit, LengthUnit);
-  }
-  else if (!hasCoordinates && !LengthUnit.empty())
-  {
-    Note("--length-unit has no effect: an oblique view has neither coordinates nor a scale");
   }
   const FrameCounters& pixels = content.frame.counters;
   if (pixels.unknown > 0)

@@ -53,6 +53,9 @@ public:
   /// they have no room. Must be called after Check.
   [[nodiscard]] FigureLayout LayOut(const ImageSize& size, const Shot& shot, bool turns) const;
 
+  /// Reports options without effect on a figure of this layout.
+  void NoteEffects(const FigureLayout& layout, const Shot& shot) const;
+
   /// Draws the legend on a canvas of the figure's size that already contains the picture. Where the
   /// layout has coordinates and the view, while it is moved, has none, the axes' directions are
   /// drawn instead.

@@ -42,18 +42,6 @@ std::optional<SideAxis> AxisAlong(const Vec3& direction)
   return std::nullopt;
 }
 
-bool HasOneScale(const Shot& shot)
-{
-  if (shot.view.parallel)
-  {
-    return true;
-  }
-  const Surface& surface = *shot.scene.layers.front().surface;
-  return shot.scene.layers.size() == 1 && !shot.volume && surface.IsFlat() &&
-    std::fabs(glm::dot(surface.Normal({ shot.view.focalPoint }), AxesOf(shot.view).forward)) >
-    kParallel;
-}
-
 /// Whether coordinates have few digits: their distances are not much smaller than they are.
 bool HasShortNumbers(const Shot& shot, int right, int up)
 {
@@ -70,6 +58,18 @@ bool HasShortNumbers(const Shot& shot, int right, int up)
   return size <= most * extent;
 }
 } // namespace
+
+bool HasOneScale(const Shot& shot)
+{
+  if (shot.view.parallel)
+  {
+    return true;
+  }
+  const Surface& surface = *shot.scene.layers.front().surface;
+  return shot.scene.layers.size() == 1 && !shot.volume && surface.IsFlat() &&
+    std::fabs(glm::dot(surface.Normal({ shot.view.focalPoint }), AxesOf(shot.view).forward)) >
+    kParallel;
+}
 
 bool HasCoordinates(const Shot& shot)
 {

@@ -14,6 +14,9 @@ struct Shot;
 // Lengths and coordinates along the sides of a picture. A picture has one scale if the view is
 // parallel, or if it shows a single plane along the plane's normal.
 
+/// Whether the picture has one scale. Reads only the direction of the view.
+[[nodiscard]] bool HasOneScale(const Shot& shot);
+
 /// Whether the picture has one scale, its sides run along axes of coordinates, and these have few
 /// digits. Reads only the direction of the view.
 [[nodiscard]] bool HasCoordinates(const Shot& shot);

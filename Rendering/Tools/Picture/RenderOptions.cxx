@@ -167,6 +167,7 @@ ShotOptions RenderOptions::OfPicture() const
     {
       FigureLayout layout = figure.LayOut(shot.size, of, animation.Turns());
       layout.isOfSeries = animation.IsAsked(shot.input);
+      figure.NoteEffects(layout, of);
       return layout;
     };
   }
