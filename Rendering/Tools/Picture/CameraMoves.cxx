@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/CameraMoves.h"
 
-#include "Picture/Projection.h"
+#include "Trace/Projection.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

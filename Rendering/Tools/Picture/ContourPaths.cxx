@@ -2,10 +2,10 @@
 #include "Picture/ContourPaths.h"
 
 #include "Picture/ContourFile.h"
-#include "Picture/Projection.h"
 #include "Scene/Shot.h"
 
 #include "Core/Contour/Contour.h"
+#include "Trace/Projection.h"
 #include "Trace/Surfaces/Plane.h"
 
 #include <glm/common.hpp>

@@ -6,11 +6,11 @@
 #include "Cuts/SurfaceStatistics.h"
 #include "Drawing/Canvas.h"
 #include "Drawing/Ticks.h"
-#include "Picture/Projection.h"
 #include "Scene/Shot.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Contour/SurfaceAbilities.h"
+#include "Trace/Projection.h"
 #include "Trace/Surfaces/ElementFaces.h"
 
 #include <fmt/format.h>

@@ -2,12 +2,12 @@
 #include "Picture/FieldArrows.h"
 
 #include "Base/Report.h"
-#include "Picture/Projection.h"
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
 #include "Core/Location/Locator.h"
 #include "Core/Location/Sample.h"
+#include "Trace/Projection.h"
 #include "Views/VtkLook.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/FieldTexture.h"
 
-#include "Picture/Projection.h"
 #include "Scene/Shot.h"
 
 #include "Trace/Modules/LineConvolution.h"
+#include "Trace/Projection.h"
 
 #include <glm/geometric.hpp>
 

@@ -3,9 +3,9 @@
 
 #include "Drawing/Canvas.h"
 #include "Drawing/Ticks.h"
-#include "Picture/Projection.h"
 #include "Scene/Shot.h"
 
+#include "Trace/Projection.h"
 #include "Trace/Surfaces/Surface.h"
 
 #include <glm/common.hpp>

@@ -2,8 +2,9 @@
 #include "Picture/FigureLegend.h"
 
 #include "Base/Report.h"
-#include "Picture/Projection.h"
 #include "Scene/Shot.h"
+
+#include "Trace/Projection.h"
 
 #include <fmt/format.h>
 

@@ -3,11 +3,11 @@
 
 #include "Base/Command.h"
 #include "Base/Report.h"
-#include "Picture/Projection.h"
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
 #include "Surfaces/MeshSurfaces.h"
+#include "Trace/Projection.h"
 #include "Trace/Tracer.h"
 
 #include <glm/common.hpp>

@@ -4,10 +4,10 @@
 #include "Base/Report.h"
 #include "Picture/AnimationFrames.h"
 #include "Picture/DrawnShot.h"
-#include "Picture/Projection.h"
 #include "Picture/RenderOptions.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Projection.h"
 #include "Trace/Surfaces/Plane.h"
 
 #include <fmt/format.h>

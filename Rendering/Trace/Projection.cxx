@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Picture/Projection.h"
+#include "Trace/Projection.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

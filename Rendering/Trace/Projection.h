@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Drawing/Canvas.h"
-
 #include "Core/Math/Vec.h"
 #include "Trace/Camera.h"
 
+#include <array>
 #include <optional>
 
 namespace pixelexact
@@ -13,8 +12,8 @@ namespace pixelexact
 /// The position of a point in a picture.
 struct ProjectedPoint
 {
-  CanvasPoint at;
-  double depth; ///< along the ray there, as of Buffer::Depth
+  std::array<double, 2> at; ///< pixels from the lower left
+  double depth;             ///< along the ray there, as of Buffer::Depth
 };
 
 /// The unit vectors of a view: away from the viewer, to the right and up in the picture.
@@ -46,6 +45,6 @@ private:
   CameraAxes Axes;
   bool Parallel;
   double Slope; ///< a pixel's side, of a perspective view at distance 1
-  CanvasPoint Middle;
+  std::array<double, 2> Middle;
 };
 } // namespace pixelexact
