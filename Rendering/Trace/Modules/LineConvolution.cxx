@@ -3,6 +3,7 @@
 
 #include "Trace/Frame.h"
 #include "Trace/Pipeline.h"
+#include "Trace/Projection.h"
 #include "Trace/Scene.h"
 #include "Trace/TileVisit.h"
 
@@ -10,7 +11,6 @@
 #include "Core/Location/Sample.h"
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -65,11 +65,8 @@ public:
     , Shown(field)
     , Parallel(view.parallel)
     , Eye(view.position)
-    , Forward(glm::normalize(view.focalPoint - view.position))
-    , Right(glm::normalize(glm::cross(Forward, view.viewUp)))
-    , Up(glm::cross(Right, Forward))
-    , Slope(2.0 * (Parallel ? view.parallelScale : std::tan(0.5 * glm::radians(view.viewAngle))) /
-        height)
+    , Axes(AxesOf(view))
+    , Pixels(view, width, height)
   {
     // Values of the layers are not needed.
     for (Layer& layer : Traced.layers)
@@ -167,13 +164,13 @@ private:
   void SetDirection(const Vec3& x, const Vec3& tangent, double noise, StreamPoint& point) const
   {
     const Vec3 way = x - Eye;
-    const double depth = glm::dot(way, Forward);
+    const double depth = glm::dot(way, Axes.forward);
     point.x = x;
-    point.pixel = Parallel ? Slope : Slope * depth;
+    point.pixel = Pixels.PixelAt(depth);
     // The derivative of the position in the picture along the tangent.
-    const double farther = Parallel ? 0.0 : glm::dot(tangent, Forward) / depth;
-    const double across = glm::dot(tangent, Right) - farther * glm::dot(way, Right);
-    const double up = glm::dot(tangent, Up) - farther * glm::dot(way, Up);
+    const double farther = Parallel ? 0.0 : glm::dot(tangent, Axes.forward) / depth;
+    const double across = glm::dot(tangent, Axes.right) - farther * glm::dot(way, Axes.right);
+    const double up = glm::dot(tangent, Axes.up) - farther * glm::dot(way, Axes.up);
     const double length = std::hypot(across, up);
     point.isValid = length > 0.0 && std::isfinite(length) && glm::length(tangent) > noise;
     if (point.isValid)
@@ -188,10 +185,8 @@ private:
   const Field& Shown;
   bool Parallel;
   Vec3 Eye;
-  Vec3 Forward;
-  Vec3 Right;
-  Vec3 Up;
-  double Slope; ///< the length of a pixel, of a perspective view at distance 1
+  CameraAxes Axes;
+  Projection Pixels;
 };
 
 /// A number from 0 to 1 that has no pattern over the pixels (finaliser of MurmurHash3, A. Appleby).
