@@ -170,20 +170,26 @@ double Canvas::WidthOf(const std::string& text)
 
 std::vector<std::string> Canvas::Wrapped(const std::string& text, double room)
 {
-  std::vector<std::string> lines(1);
-  std::istringstream words(text);
-  for (std::string word; words >> word;)
+  std::vector<std::string> lines;
+  std::istringstream paragraphs(text);
+  for (std::string paragraph; std::getline(paragraphs, paragraph);)
   {
-    std::string longer = lines.back();
-    longer.append(longer.empty() ? "" : " ").append(word);
-    if (!lines.back().empty() && WidthOf(longer) > room)
+    std::istringstream words(paragraph);
+    std::string line;
+    for (std::string word; words >> word;)
     {
-      lines.push_back(std::move(word));
+      std::string longer = line;
+      longer.append(line.empty() ? "" : " ").append(word);
+      if (!line.empty() && WidthOf(longer) > room)
+      {
+        lines.push_back(std::exchange(line, word));
+      }
+      else
+      {
+        line = std::move(longer);
+      }
     }
-    else
-    {
-      lines.back() = std::move(longer);
-    }
+    lines.push_back(line);
   }
   return lines;
 }

@@ -47,7 +47,8 @@ public:
   void WriteTurned(const std::string& text, const CanvasPoint& at, double angle, int fontSize,
     const Rgba& color, const Rgba& halo = {});
   [[nodiscard]] double WidthOf(const std::string& text);
-  /// The lines of a text that are no wider than `room`, where words allow it.
+  /// The lines of a text, broken where it has line breaks and, at blanks, so that they are no wider
+  /// than `room` where words allow it.
   [[nodiscard]] std::vector<std::string> Wrapped(const std::string& text, double room);
   /// The text, or its beginning and "..." where it is wider than `room`.
   [[nodiscard]] std::string Shortened(const std::string& text, double room);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace pixelexact
@@ -28,43 +27,6 @@ constexpr double kSlider = 3.2;
 constexpr double kMinText = 12.0;
 /// Smallest number of positions of a slider.
 constexpr double kPositions = 100.0;
-
-/// The lines of a text, wrapped at blanks to a width in pixels.
-std::vector<std::string> Wrapped(Canvas& canvas, const std::string& text, double width)
-{
-  std::vector<std::string> lines;
-  std::istringstream paragraphs(text);
-  for (std::string paragraph; std::getline(paragraphs, paragraph);)
-  {
-    std::istringstream words(paragraph);
-    std::string line;
-    for (std::string word; words >> word;)
-    {
-      std::string longer = line;
-      longer.append(line.empty() ? "" : " ").append(word);
-      if (!line.empty() && canvas.WidthOf(longer) > width)
-      {
-        lines.push_back(std::exchange(line, word));
-      }
-      else
-      {
-        line = std::move(longer);
-      }
-    }
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-/// The text, cut where it is too wide.
-std::string Cut(Canvas& canvas, std::string text, double width)
-{
-  while (text.size() > 3 && canvas.WidthOf(text) > width)
-  {
-    text = text.substr(0, text.size() - 4) + "...";
-  }
-  return text;
-}
 } // namespace
 
 std::string SliderValue::Text() const
@@ -133,8 +95,8 @@ void ViewPanel::DrawFields(RasterCanvas& canvas, double& y, double least)
       canvas.Fill(static_cast<int>(0.4 * Font), static_cast<int>(y - row),
         Width - static_cast<int>(0.8 * Font), static_cast<int>(row), kMark);
     }
-    canvas.Write(Cut(canvas, fields[k], Width - 2.0 * left), left, y - 0.5 * row, TextAnchor::Left,
-      field == k ? kMarkedInk : kInk);
+    canvas.Write(canvas.Shortened(fields[k], Width - 2.0 * left), left, y - 0.5 * row,
+      TextAnchor::Left, field == k ? kMarkedInk : kInk);
     y -= row;
   }
   if (Shown < fields.size())
@@ -149,7 +111,7 @@ void ViewPanel::DrawSlider(RasterCanvas& canvas, const SliderValue& slider, doub
 {
   const double left = 0.8 * Font;
   const double value = canvas.WidthOf(slider.Text());
-  canvas.Write(Cut(canvas, slider.name, Width - 3.0 * left - value), left, y + 1.2 * Font,
+  canvas.Write(canvas.Shortened(slider.name, Width - 3.0 * left - value), left, y + 1.2 * Font,
     TextAnchor::Left, kInk);
   canvas.Write(slider.Text(), Width - left, y + 1.2 * Font, TextAnchor::Right, kInk);
   const double from = left + 0.5 * Font;
@@ -165,7 +127,7 @@ double ViewPanel::DrawText(RasterCanvas& canvas) const
 {
   const double left = 0.8 * Font;
   const double row = kRow * Font;
-  const std::vector<std::string> lines = Wrapped(canvas, text, Width - 2.0 * left);
+  const std::vector<std::string> lines = canvas.Wrapped(text, Width - 2.0 * left);
   double y = static_cast<double>(lines.size()) * row + 0.5 * Font;
   const double top = y + 0.5 * row;
   for (const std::string& line : lines)
