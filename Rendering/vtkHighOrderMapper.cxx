@@ -475,8 +475,8 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
       drawer.Select(view, work, renderer, actor, this, progress);
       return;
     }
-    // The opaque phase of the same picture has refined the frame.
-    work.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
+    // The opaque phase of the same picture, where there is one, has refined the frame.
+    work.refine = drawn != pixelexact::FramePart::Translucent || actor->HasOpaqueGeometry() == 0;
     work.seconds = this->SecondsToTrace(window);
     drawer.Draw(view, work, drawn, renderer, actor, this, progress);
     this->TakeRange(*drawer.LastRenderer());
@@ -538,12 +538,9 @@ std::vector<std::string> vtkHighOrderMapper::Complaints(
   // Windows draw translucent layers sheet by sheet.
   const bool bySheets =
     frames.LastView().appearance.bySheets && pixelexact::HasTranslucent(frames.LastView().scene);
-  const bool translucent = frames.LastView().appearance.bySheets &&
-    (actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry());
   const bool mapped =
     this->ScalarVisibility || (this->ContourScalarVisibility && frames.LastContours() != nullptr);
-  std::vector<std::string> texts =
-    pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
+  std::vector<std::string> texts = pixelexact::SettingsWithoutEffect(this, actor, mapped);
   // A single translucent plane has nothing behind it.
   if (this->ContourLabels && bySheets)
   {

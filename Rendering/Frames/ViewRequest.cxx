@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/ViewRequest.h"
 
+#include "Frames/ContourLabels.h"
 #include "Views/VtkCamera.h"
 #include "Views/VtkLook.h"
 
@@ -11,9 +12,11 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -51,6 +54,36 @@ void LeaveOutUnused(Appearance& appearance)
   if (!appearance.HasContours())
   {
     appearance.contours = {};
+  }
+}
+/// VTK's own number of dots per inch, at which a width of 1 is a pixel.
+constexpr double kDots = 72.0;
+
+double Scaled(double width, double by, double widest)
+{
+  return width > widest ? width : std::min(by * width, widest);
+}
+
+/// Scales lines and letters to the window's dots per inch, as VTK does with its own letters: those
+/// of enlarged screenshots and of screens with small pixels.
+void ScaleToDots(vtkRenderer* renderer, Appearance& appearance)
+{
+  vtkRenderWindow* const window = renderer->GetRenderWindow();
+  const double by = window != nullptr ? window->GetDPI() / kDots : 1.0;
+  if (by == 1.0)
+  {
+    return;
+  }
+  if (appearance.edges)
+  {
+    appearance.edges->width = Scaled(appearance.edges->width, by, EdgeStyle::kWidest);
+  }
+  ContourAppearance& contours = appearance.contours;
+  contours.style.width = Scaled(contours.style.width, by, ContourStyle::kWidest);
+  if (contours.labels)
+  {
+    const double height = Scaled(*contours.labels, by, LabelFont::kLargest);
+    contours.labels = std::max(static_cast<int>(std::lround(height)), +LabelFont::kSmallest);
   }
 }
 } // namespace
@@ -99,6 +132,7 @@ void Complete(const DataView& seen, View& view)
     view.scene.kept.push_back(beyondNear);
   }
   SetTranslucency(view, seen.opacity < 1.0);
+  ScaleToDots(renderer, view.appearance);
   LeaveOutUnused(view.appearance);
 }
 

@@ -61,8 +61,7 @@ void RequireFieldColors(vtkMapper* mapper)
   }
 }
 
-std::vector<std::string> SettingsWithoutEffect(
-  vtkMapper* mapper, vtkActor* actor, bool translucent, bool mapped)
+std::vector<std::string> SettingsWithoutEffect(vtkMapper* mapper, vtkActor* actor, bool mapped)
 {
   vtkProperty* property = actor->GetProperty();
   struct Setting
@@ -81,8 +80,6 @@ std::vector<std::string> SettingsWithoutEffect(
     Setting{ actor->GetBackfaceProperty() != nullptr,
       "BackfaceProperty: both sides of a cut have the actor's property" },
     Setting{ property->GetVertexVisibility() != 0, "VertexVisibility: a cut has no vertices" },
-    Setting{ property->GetEdgeVisibility() && translucent,
-      "EdgeVisibility: edges are not drawn where a layer is seen through" },
     Setting{ actor->GetTexture() != nullptr || property->GetNumberOfTextures() > 0,
       "Texture: a cut has no texture coordinates" },
     Setting{ HasShaders(actor->GetShaderProperty()),

@@ -17,8 +17,7 @@ namespace pixelexact
 void RequireFieldColors(vtkMapper* mapper);
 
 /// One sentence for each setting of actor, property and mapper that is ignored but does not make
-/// the picture wrong. `translucent`: some of the cut is translucent. `mapped`: the mapper's lookup
-/// table colours something.
+/// the picture wrong. `mapped`: the mapper's lookup table colours something.
 [[nodiscard]] std::vector<std::string> SettingsWithoutEffect(
-  vtkMapper* mapper, vtkActor* actor, bool translucent, bool mapped);
+  vtkMapper* mapper, vtkActor* actor, bool mapped);
 } // namespace pixelexact

@@ -5,6 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Trace/Modules/FaceLines.h"
 #include "Trace/Modules/LineShare.h"
+#include "Trace/Scene.h"
 #include "Trace/TileVisit.h"
 
 #include <algorithm>
@@ -95,6 +96,8 @@ void ElementEdges::Process(TileVisit& tile)
   {
     return;
   }
+  // Windows draw the sheets of translucent layers one by one; lines are on the nearest sheet.
+  const bool onSheet = HasTranslucent(tile.GetScene());
   const CheckedOut<FaceLines> search;
   // At the boundary all of the width is on one side.
   const double reach = (Kinds ? Style.width : 0.5 * Style.width) + kCentreToCorner;
@@ -118,6 +121,10 @@ void ElementEdges::Process(TileVisit& tile)
     {
       const auto at = static_cast<std::size_t>(kind);
       Draw(Style.colors[at], shares[at], &frame.color[4 * lines[begin].pixel]);
+      if (onSheet)
+      {
+        Draw(Style.colors[at], shares[at], &frame.centres.color[4 * lines[begin].pixel]);
+      }
     }
   }
 }
