@@ -52,6 +52,24 @@ class Expressions(ToolTest):
         self.assertTrue((found["value_lower"] <= found["value"])[inside].all())
         self.assertTrue((found["value"] <= found["value_upper"])[inside].all())
 
+    def test_names_of_paraviews_calculator(self):
+        """Unit vectors, coordinates, ln and components as ParaView's menus write them."""
+        for theirs, ours in [("dot(iHat + 2*jHat - kHat, coords)", "x + 2*y - z"),
+                             ("coordsX + 2*coordsY - coordsZ", "x + 2*y - z"),
+                             ("ln(1 + u^2)", "log(1 + u^2)")]:
+            np.testing.assert_array_equal(self.probe(theirs)["value"], self.probe(ours)["value"], theirs)
+        name = "mfem_escher_tet_darcy_p3"
+        inputs = [DATA / name / f"{name}.mesh", DATA / name / "flux.gf"]
+        values = {}
+        for text in ("flux_X + 2*flux_Z", "flux.x + 2*flux.z", "'flux_0' + 2*flux_2"):
+            output = self.folder / "flux.csv"
+            self.succeeds("probe", *inputs, "--line", "0.1,0.1,0.1,0.9,0.8,0.7,50", "--field", text,
+                          "--output", output)
+            values[text] = columns(read_csv(output))["value"]
+        first, *others = values.values()
+        self.assertGreater(np.isfinite(first).sum(), 10)
+        for other in others:
+            np.testing.assert_array_equal(other, first)
     def test_pictures(self):
         buffers = self.folder / "out.vti"
         found = self.summary("render", TORUS, "--field", "u^2 + 1", "--plane", "z", *SIZE,
@@ -362,6 +380,9 @@ class Expressions(ToolTest):
             ("mag(grad(u)", "something is missing at the end\n  mag(grad(u)\n             ^"),
             ("u + w", "nothing is named 'w'"),
             ("curl(u)", "curl takes vectors"),
+            ("norm(coords)", "write mag(v) for the length of v"),
+            ("u_X + 1", "nothing is named 'u_X'"),
+            ("iHat_X + 1", "nothing is named 'iHat_X'"),
         ]:
             done = run(*base, text)
             self.assertEqual(done.returncode, 1)

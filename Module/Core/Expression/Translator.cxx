@@ -7,6 +7,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace pixelexact
 {
@@ -29,6 +32,60 @@ const BuiltIn* FindBuiltIn(const std::string& name)
   const auto* found = std::ranges::find_if(
     kBuiltIns, [&name](const BuiltIn& builtIn) { return name == builtIn.name; });
   return found == kBuiltIns.end() ? nullptr : found;
+}
+
+// Names of ParaView's Calculator, which the fields of a mesh may have instead.
+constexpr std::array<std::array<const char*, 2>, 6> kParaViewNames{ {
+  { "iHat", "vec(1,0,0)" },
+  { "jHat", "vec(0,1,0)" },
+  { "kHat", "vec(0,0,1)" },
+  { "coordsX", "coords.x" },
+  { "coordsY", "coords.y" },
+  { "coordsZ", "coords.z" },
+} };
+
+/// The number of one of `components` from the end of a name in ParaView's menus: X, Y or Z of
+/// vectors, two of these of 6 components, else a number. -1: there is none.
+int ComponentIn(const std::string& ending, int components)
+{
+  static const std::vector<std::string> kAxes{ "X", "Y", "Z" };
+  static const std::vector<std::string> kPairs{ "XX", "YY", "ZZ", "XY", "YZ", "XZ" };
+  const std::vector<std::string>& names = components == 6 ? kPairs : kAxes;
+  if (const auto found = std::ranges::find(names, ending); found != names.end())
+  {
+    return static_cast<int>(found - names.begin());
+  }
+  const bool isNumber = !ending.empty() && ending.size() < 4 &&
+    std::ranges::all_of(ending, [](char c) { return c >= '0' && c <= '9'; });
+  return isNumber ? std::stoi(ending) : -1;
+}
+
+/// The term of a name in ParaView's Calculator: one of kParaViewNames, or a component as v_X.
+/// `componentsOf` gives the number of a name's components, 0 for no name.
+template <class ComponentsOf>
+std::optional<Term> TermOfParaView(const Term& term, const ComponentsOf& componentsOf)
+{
+  const auto* found = std::ranges::find_if(
+    kParaViewNames, [&term](const auto& known) { return term.text == known[0]; });
+  if (found != kParaViewNames.end() && term.kind == Term::Kind::Name)
+  {
+    return ParseExpression((*found)[1]);
+  }
+  const std::size_t end = term.text.rfind('_');
+  if (end == std::string::npos)
+  {
+    return std::nullopt;
+  }
+  const std::string base = term.text.substr(0, end);
+  const int components = componentsOf(base);
+  const int component = components > 1 ? ComponentIn(term.text.substr(end + 1), components) : -1;
+  if (component < 0)
+  {
+    return std::nullopt;
+  }
+  return Term{ Term::Kind::Index, "", term.at,
+    { { Term::Kind::QuotedName, base, term.at },
+      { Term::Kind::Number, std::to_string(component), term.at } } };
 }
 
 template <class Number>
@@ -119,6 +176,19 @@ Tensor Translator::MakeName(const Term& term)
   if (isDefined && builtIn == nullptr)
   {
     return AtTerm(term, [&] { return MakeDefinition(name); });
+  }
+  if (builtIn == nullptr && !isField && !Scope.parameters.contains(name))
+  {
+    const auto componentsOf = [this](const std::string& base)
+    {
+      const std::size_t at = FindField(base);
+      return at < Scope.fields.size() ? Scope.fields[at].values.components
+                                      : 3 * static_cast<int>(Scope.definitions.contains(base));
+    };
+    if (const auto other = TermOfParaView(term, componentsOf))
+    {
+      return Make(*other);
+    }
   }
   return AtTerm(term,
     [&]
@@ -253,7 +323,16 @@ Tensor Translator::MakeCall(const Term& term)
   {
     arguments.push_back(Make(child));
   }
-  return AtTerm(term, [&] { return Algebra.Call(term.text, arguments); });
+  return AtTerm(term,
+    [&]
+    {
+      if (term.text == "norm")
+      {
+        throw InvalidData("norm is ambiguous; write mag(v) for the length of v, v/mag(v) for its "
+                          "direction");
+      }
+      return Algebra.Call(term.text == "ln" ? "log" : term.text, arguments);
+    });
 }
 
 Tensor Translator::MakeIndex(const Term& term)
