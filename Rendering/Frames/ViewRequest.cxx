@@ -64,12 +64,12 @@ double Scaled(double width, double by, double widest)
   return width > widest ? width : std::min(by * width, widest);
 }
 
-/// Scales lines and letters to the window's dots per inch, as VTK does with its own letters: those
-/// of enlarged screenshots and of screens with small pixels.
+/// Scales lines and labels as VTK scales its own letters: by the window's dots per inch, and by the
+/// number of tiles along a side of an enlarged picture.
 void ScaleToDots(vtkRenderer* renderer, Appearance& appearance)
 {
   vtkRenderWindow* const window = renderer->GetRenderWindow();
-  const double by = window != nullptr ? window->GetDPI() / kDots : 1.0;
+  const double by = window != nullptr ? window->GetTileScale()[0] * window->GetDPI() / kDots : 1.0;
   if (by == 1.0)
   {
     return;
