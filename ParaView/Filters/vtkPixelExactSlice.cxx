@@ -41,10 +41,7 @@ vtkSmartPointer<vtkImplicitFunction> Moved(vtkPlane* plane, double offset)
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkPixelExactSlice::vtkPixelExactSlice()
-  : MeshFilter(pixelexact::MeshScope::PartByBlock)
-{
-}
+vtkPixelExactSlice::vtkPixelExactSlice() = default;
 
 //------------------------------------------------------------------------------
 vtkPixelExactSlice::~vtkPixelExactSlice() = default;
@@ -53,27 +50,7 @@ vtkPixelExactSlice::~vtkPixelExactSlice() = default;
 void vtkPixelExactSlice::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
-     << "\n";
   os << indent << "Offsets: " << this->Offsets.size() << "\n";
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkPixelExactSlice::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactSlice::SetCutFunction(vtkImplicitFunction* function)
-{
-  if (this->CutFunction != function)
-  {
-    this->CutFunction = function;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -94,14 +71,10 @@ void vtkPixelExactSlice::SetOffset(int index, double offset)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPixelExactSlice::Make(vtkDataObject* mesh, vtkDataObject* output)
+void vtkPixelExactSlice::Describe(vtkImplicitFunction* function, vtkUnstructuredGrid* grid)
 {
-  if (this->CutFunction == nullptr)
-  {
-    throw pixelexact::InvalidData("there is no cut function; choose a Slice Type.");
-  }
   std::vector<pixelexact::DescribedCut> cuts;
-  auto* const plane = vtkPlane::SafeDownCast(this->CutFunction);
+  auto* const plane = vtkPlane::SafeDownCast(function);
   for (const double offset : this->Offsets)
   {
     if (offset != 0.0 && plane == nullptr)
@@ -117,11 +90,8 @@ bool vtkPixelExactSlice::Make(vtkDataObject* mesh, vtkDataObject* output)
   // The plane itself, unmoved, is the cut that the representation would make.
   if (cuts.size() < this->Offsets.size() || cuts.empty())
   {
-    cuts.push_back({ this->CutFunction });
+    cuts.push_back({ function });
   }
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(output);
-  grid->ShallowCopy(mesh);
   pixelexact::RemoveCuts(grid, pixelexact::kSlices);
   pixelexact::AddCuts(grid, pixelexact::kSlices, cuts);
-  return true;
 }
