@@ -57,6 +57,8 @@ struct vtkPixelExactRepresentation::Internals
 
   std::string ColorArray;
   bool ColorsCells = false; ///< the array is of cell data
+  /// Arrays that filters computed at points, which are polynomials through these values.
+  std::set<std::string> Interpolated;
   pixelexact::ShownRange Range;
   std::array<double, 2> FieldRange;
   std::array<double, 2> VisibleRange;
@@ -67,14 +69,24 @@ struct vtkPixelExactRepresentation::Internals
   /// Data of a pixel, see GetPicked.
   struct PickedPoint
   {
+    /// Digits of numbers in the text that tell doubles apart.
+    static constexpr int kAllDigits = 17;
+    /// Those that are easily read.
+    static constexpr int kFewDigits = 6;
+
     std::array<double, 11> numbers;
     std::string text;
-    PickedPoint() { Clear(); }
+    int digits;
+    explicit PickedPoint(int numberOfDigits)
+      : digits(numberOfDigits)
+    {
+      Clear();
+    }
     void Clear();
   };
   std::array<int, 2> PickedPixel = { -1, -1 };
-  PickedPoint Picked;  ///< of PickedPixel
-  PickedPoint Pointed; ///< under the pointer
+  PickedPoint Picked{ PickedPoint::kAllDigits };  ///< of PickedPixel
+  PickedPoint Pointed{ PickedPoint::kFewDigits }; ///< under the pointer
   std::function<std::string(int, int)> PointerSource;
   vtkIdType UnknownPixels = 0;                  ///< of several processes
   std::array<double, 2> SeenByAll{ 1.0, -1.0 }; ///< range of values on all processes
@@ -86,6 +98,8 @@ struct vtkPixelExactRepresentation::Internals
   pixelexact::ViewNotes Notes;
 
   static bool HasCells(vtkDataObject* data);
+  /// Whether the colours are those of an interpolated array.
+  [[nodiscard]] bool ShowsInterpolated() const;
   /// Whether the colours' array has a field's name but is not the field.
   [[nodiscard]] bool HasOtherColors(vtkDataObject* data) const;
   static bool HasSeveralProcesses();

@@ -57,6 +57,18 @@ std::array<double, 2> EnclosureAt(vtkDataObject* grid, const char* field, const 
   return { lower->GetComponent(0, 0), upper->GetComponent(0, 0) };
 }
 
+/// An end of an interval, rounded outward to `digits` where these do not tell doubles apart.
+double RoundedOutward(double end, int digits, bool isUpper)
+{
+  if (end == 0.0 || !std::isfinite(end) || digits >= std::numeric_limits<double>::max_digits10)
+  {
+    return end;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(end))) + 1 - digits);
+  const double units = end / unit;
+  return unit * (isUpper ? std::floor(units) + 1.0 : std::ceil(units) - 1.0);
+}
+
 /// The depth of a point in front of the camera.
 double DepthOf(const double x[3], vtkCamera* camera)
 {
@@ -118,17 +130,20 @@ void vtkPixelExactRepresentation::Internals::Describe(
     return;
   }
   std::ostringstream text;
-  text.precision(17);
+  text.precision(point.digits);
   text << "element " << picker->GetElement() << ", xi (" << point.numbers[2] << ", "
        << point.numbers[3] << ", " << point.numbers[4] << ")";
   if (const std::string field = picker->GetFieldName(); !field.empty())
   {
     const auto enclosure = EnclosureAt(Delivered, field.c_str(), &point.numbers[8]);
     std::copy_n(enclosure.data(), 2, &point.numbers[6]);
-    text << ", " << field << " = " << point.numbers[5];
+    text << ", " << field
+         << (Interpolated.contains(field) ? " (interpolated, not the formula)" : "") << " = "
+         << point.numbers[5];
     if (enclosure[0] <= enclosure[1])
     {
-      text << " in [" << enclosure[0] << ", " << enclosure[1] << "]";
+      text << " in [" << RoundedOutward(enclosure[0], point.digits, false) << ", "
+           << RoundedOutward(enclosure[1], point.digits, true) << "]";
     }
   }
   point.text = text.str();

@@ -19,6 +19,8 @@ namespace pixelexact
 namespace
 {
 constexpr int kLetters = 14;
+constexpr const char* kExact = "colour map: exact";
+constexpr const char* kInterpolated = "colour map: interpolated, not the formula";
 
 void MakeReadable(vtkTextProperty* text)
 {
@@ -44,7 +46,7 @@ ViewNotes::ViewNotes(std::function<std::string(int, int)> at)
   Legend->SetNumberOfEntries(3);
   vtkNew<vtkPolyData> none;
   none->SetPoints(vtkNew<vtkPoints>()); // the actor transforms them, none that are missing
-  Legend->SetEntry(0, none, "colour map: exact", white);
+  Legend->SetEntry(0, none, kExact, white);
   Legend->SetEntry(1, square->GetOutput(), "undecided", magenta);
   Legend->SetEntry(2, none, "background: nothing there", white);
   Legend->GetPositionCoordinate()->SetValue(0.02, 0.85);
@@ -72,6 +74,11 @@ void ViewNotes::ShowPointer(bool show)
   HasPointer = show;
   Text.clear();
   Update();
+}
+
+void ViewNotes::SetInterpolated(bool interpolated)
+{
+  Legend->SetEntryString(0, interpolated ? kInterpolated : kExact);
 }
 
 void ViewNotes::SetVisible(bool visible)

@@ -29,6 +29,9 @@ public:
 
   void ShowLegend(bool show);
   void ShowPointer(bool show);
+  /// The legend says whether colours are a field's exact values or those of an array that is
+  /// interpolated between points.
+  void SetInterpolated(bool interpolated);
   /// A hidden representation writes no text.
   void SetVisible(bool visible);
 

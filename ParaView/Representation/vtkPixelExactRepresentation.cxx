@@ -28,8 +28,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkPixelExactRepresentation);
 
@@ -45,6 +49,28 @@ bool NeedsConversion(vtkDataObject* data)
   }
   return !vtkUnstructuredGridToHighOrderGrid::IsConverted(vtkUnstructuredGrid::SafeDownCast(data));
 }
+
+/// The names of fields with coefficients, of a grid or of all blocks.
+std::set<std::string> FieldNamesOf(vtkDataObject* data)
+{
+  std::vector<vtkUnstructuredGrid*> grids;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    std::ranges::transform(pixelexact::PartsOf(composite), std::back_inserter(grids),
+      [](const auto& part) { return part.grid; });
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    grids.push_back(grid);
+  }
+  std::set<std::string> names;
+  for (vtkUnstructuredGrid* grid : grids)
+  {
+    const std::vector<std::string> own = pixelexact::StoredFieldNames(grid);
+    names.insert(own.begin(), own.end());
+  }
+  return names;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -52,6 +78,7 @@ vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoeff
   vtkDataObject* data)
 {
   auto shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  Interpolated.clear();
   // In a parallel run, processes may have no cells.
   if (HasCells(data) && NeedsConversion(data))
   {
@@ -59,11 +86,24 @@ vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoeff
     shown->ShallowCopy(data);
     Convert->SetInputDataObject(shown);
     Convert->Update();
+    const std::set<std::string> before = FieldNamesOf(data);
     data = Convert->GetOutputDataObject(0);
+    if (!before.empty())
+    {
+      // The converter adds those that the data have as arrays alone.
+      std::ranges::set_difference(
+        FieldNamesOf(data), before, std::inserter(Interpolated, Interpolated.end()));
+    }
     shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
   }
   shown->ShallowCopy(data);
   return shown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPixelExactRepresentation::Internals::ShowsInterpolated() const
+{
+  return Mapper->GetScalarVisibility() && Interpolated.contains(ColorArray);
 }
 
 //------------------------------------------------------------------------------
@@ -184,6 +224,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
       my.Mapper->SetScalarVisibility(!my.ColorArray.empty() && !my.HasOtherColors(delivered));
       my.Delivered = delivered;
       this->ChooseSurface(delivered);
+      my.Notes.SetInterpolated(my.ShowsInterpolated());
     }
     if (isThere || Internals::HasSeveralProcesses())
     {
@@ -279,8 +320,15 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
   if (my.Mapper->GetScalarVisibility() && my.Mapper->GetLookupTable() != nullptr)
   {
     auto* processes = vtkMultiProcessController::GetGlobalController();
-    texts.insert(my.Range.Complaint(shown, my.ColorArray, my.Mapper->GetLookupTable(),
-      Internals::HasSeveralProcesses() ? processes : nullptr));
+    std::string complaint = my.Range.Complaint(shown, my.ColorArray, my.Mapper->GetLookupTable(),
+      Internals::HasSeveralProcesses() ? processes : nullptr);
+    if (!complaint.empty() && my.ShowsInterpolated())
+    {
+      complaint += "; a filter computed the array at the cells' points, and between them it is "
+                   "interpolated, not the formula: PixelExact Calculator evaluates formulas at "
+                   "every pixel";
+    }
+    texts.insert(complaint);
   }
   if (shown != nullptr && my.HasOtherColors(shown))
   {

@@ -60,6 +60,35 @@ class Filters(unittest.TestCase):
         expected = numpy.linalg.norm(gradients, axis=1)
         self.assertLess(numpy.abs(found["slope"] - expected)[inside].max(), 1e-9 * expected.max())
 
+    def test_calculator_of_paraviews_words(self):
+        """What the buttons and menus of ParaView's Calculator insert, against NumPy."""
+        name = "mfem_escher_tet_darcy_p3"
+        reader = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"))
+        reader.UpdatePipeline()
+        box = reader.GetDataInformation().GetBounds()
+        points = numpy.random.default_rng(5).uniform(box[::2], box[1::2], (500, 3))
+        plain = scene.probe(reader, points)
+        inside = plain["Verdict"] == 1
+        self.assertGreater(inside.sum(), 50)
+        (x, y, z), flux, p = points.T, plain["flux"], plain["pressure"]
+        for text, expected in (
+            ("flux_X", flux[:, 0]),
+            ("flux_Y*coordsX - flux_Z^2", flux[:, 1] * x - flux[:, 2] ** 2),
+            ("dot(flux,iHat+2*jHat-kHat)", flux @ [1, 2, -1]),
+            ("mag(cross(coords,flux))", numpy.linalg.norm(numpy.cross(points, flux), axis=1)),
+            ("ln(1+abs(pressure))+log10(2+coordsZ^2)", numpy.log(1 + abs(p)) + numpy.log10(2 + z * z)),
+            ("asin(sin(coordsY)/2)+sinh(pressure)+floor(coordsX)", numpy.arcsin(numpy.sin(y) / 2)
+             + numpy.sinh(p) + numpy.floor(x)),
+        ):
+            with self.subTest(text):
+                made = simple.PixelExactCalculator(reader, ResultArrayName="made", Function=text)
+                found = scene.probe(made, points)["made"][inside]
+                numpy.testing.assert_allclose(found, expected[inside], rtol=1e-12, atol=1e-12)
+        refused = simple.PixelExactCalculator(reader, ResultArrayName="made", Function="norm(flux)")
+        with scene.messages() as heard:
+            refused.UpdatePipeline()
+        self.assertIn("v/mag(v)", heard[0])
+
     def test_warp(self):
         """Moved along a constant direction by its own values, a point has the value that it had."""
         moved = simple.PixelExactWarp(

@@ -70,13 +70,41 @@ class Panels(unittest.TestCase):
     def test_menus(self):
         """All filters are in the menu PixelExact; the short texts are the tips of the menu."""
         for (group, name), proxy in proxies().items():
-            if group != "filters":
+            if group not in ("filters", "sources"):
                 continue
             with self.subTest(name):
-                menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
-                self.assertEqual(menu.GetAttribute("category"), "PixelExact")
                 short = proxy.GetDocumentation().GetShortHelp()
                 self.assertTrue(short and len(short) < 80, short)
+                self.assertNotEqual(short, text_of(proxy), "the long text says more")
+                if group == "filters":
+                    menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
+                    self.assertEqual(menu.GetAttribute("category"), "PixelExact")
+
+    def test_field_lists(self):
+        """Fields are chosen from lists of the input's arrays; expressions have ParaView's calculator."""
+        count = 0
+        for (group, name), proxy in proxies().items():
+            for key, item in properties(proxy):
+                if key in ("Field", "OtherField", "ContourBy", "IsoField", "IsoArray", "Displacement"):
+                    count += 1
+                    with self.subTest(f"{name}: {key}"):
+                        self.assertIsNotNone(item.FindDomain("vtkSMArrayListDomain"))
+        self.assertGreater(count, 6)
+        calculator = proxies()["filters", "PixelExactCalculator"]
+        self.assertEqual(calculator.GetProperty("Function").GetPanelWidget(), "calculator")
+        for needed in "AttributeType", "FunctionParserType":
+            self.assertIsNotNone(calculator.GetProperty(needed), "read by ParaView's widget")
+
+    def test_groups(self):
+        """Lists of values stand under a title."""
+        found = proxies()
+        for key, title in (
+            (("filters", "PixelExactContour"), "Contour Values"),
+            (("representations", "UnstructuredGridRepresentation"), "Contours"),
+        ):
+            proxy = found.get(key) or servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy(*key)
+            titles = [proxy.GetPropertyGroup(i).GetXMLLabel() for i in range(proxy.GetNumberOfPropertyGroups())]
+            self.assertIn(title, titles)
 
 
 if __name__ == "__main__":
