@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A solver whose coefficients ParaView draws at each step, without files and without copies.
 
-build-paraview/with-paraview.sh pvbatch Examples/in_situ.py FOLDER [STEPS]
+build-paraview/with-paraview.sh pvbatch Examples/in_situ.py FOLDER [PICTURES [STEPS]]
+
+PICTURES (4 by default) are written, with STEPS (100) of the solver before each.
 
 The solver advects u0(x) = x^2 + y z with velocity a: u(x, t) = u0(x - a t). It keeps u and
 v = a grad u as coefficients on the elements of Data/toroid_hex_g3_p6.vtu, whose order holds both
@@ -136,20 +138,20 @@ class Pictures:
         return int(self.shown.GetProperty("UnknownPixels").GetData())
 
 
-def main(folder, steps=4):
+def main(folder, count=4, steps=100):
     solver = Solver()
     os.makedirs(folder, exist_ok=True)
     pictures = Pictures(solver, folder)
-    for number in range(steps):
+    for number in range(count):
         begin = time.perf_counter()
-        for _ in range(100):
-            solver.step(0.001)
+        for _ in range(steps):
+            solver.step(0.1 / steps)
         middle = time.perf_counter()
         missing = pictures.write(solver, number)
         end = time.perf_counter()
         print(
-            f"step {number}: t = {solver.time:.1f}, solver {middle - begin:.4f} s, "
-            f"picture {end - middle:.4f} s, {missing} pixels missing"
+            f"picture {number}: t = {solver.time:.1f}, solver {middle - begin:.4f} s, picture {end - middle:.4f} s, "
+            f"{100 * (end - middle) / (end - begin):.1f} % of both, {missing} pixels missing"
         )
     return solver, pictures
 
@@ -157,4 +159,4 @@ def main(folder, steps=4):
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(Path(sys.argv[1]), *map(int, sys.argv[2:3]))
+    main(Path(sys.argv[1]), *map(int, sys.argv[2:4]))
