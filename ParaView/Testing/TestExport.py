@@ -9,6 +9,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
+import pictures
 import scene
 
 HEIGHT = 0.125  # exact in single precision, in which glTF has points
@@ -81,6 +82,33 @@ class Export(unittest.TestCase):
         self.assertTrue((points_of(exported)[:, 2] == HEIGHT).all())
         with open(saved("triangles.x3d")) as file:
             self.assertIn("IndexedFaceSet", file.read())
+
+    def test_enlarged_screenshots(self):
+        """Lines and labels grow with ParaView's letters, and not where these do not."""
+        shown = simple.Show(self.cut, self.view)
+        shown.SetScalarBarVisibility(self.view, False)
+        shown.ColorArrayName = [None, ""]
+        shown.DiffuseColor, shown.Ambient, shown.Diffuse = [1, 1, 1], 1.0, 0.0
+        for kind, values in (
+            ("edges", {"ElementEdges": 1, "EdgeColor": [0, 0, 0], "LineWidth": 2.0}),
+            ("contours", {"ElementEdges": 0, "ColorArrayName": ["POINTS", "u"],
+                          "PixelExactContours": [-0.3, 0.0, 0.3], "ContourWidth": 2.0}),
+            ("labels", {"ContourLabels": 1, "ContourLabelSize": 12}),
+        ):
+            for name, value in values.items():
+                setattr(shown, name, value)
+            shares = {}
+            for by, scaling in ((1, "Scale fonts proportionally"), (4, "Scale fonts proportionally"),
+                                (4, "Do not scale fonts")):
+                name = saved(f"{kind}_{by}_{scaling.split()[0]}.png")
+                simple.SaveScreenshot(name, self.view, FontScaling=scaling,
+                                      ImageResolution=[by * n for n in scene.SIZE])
+                shares[by, scaling] = (pictures.read(name)[:, :3] < 60).all(axis=1).mean()
+            small, large, thin = shares.values()
+            with self.subTest(kind):
+                self.assertGreater(small, 0.005)
+                self.assertAlmostEqual(large / small, 1.0, delta=0.35)
+                self.assertLess(thin / small, 0.5)
 
     def test_data(self):
         """Saved triangles, lines and cells have the values of PixelExact Probe at their points."""

@@ -21,6 +21,14 @@ ACTIONS = (
     ("the plane of a slice", "cut.SliceType.Origin = [0, 0, -0.2]"),
     ("the type of a slice", "cut.SliceType = 'Sphere'"),
 )
+# ParaView keeps ten steps. A change of opacity adds some that change nothing, as it does in the
+# representation Surface.
+OF_ISO_SURFACES = (
+    ("the iso-surface", "shown.PixelExactSurface = 'Iso-Surface'"),
+    ("a value", "shown.IsoValue = 0.3"),
+    ("a negative value", "shown.IsoValue = -0.4"),
+    ("the opacity", "shown.Opacity = 0.4"),
+)
 
 # Each picture that the window draws is kept; a menu's action draws after the script has ended.
 CLIENT = """
@@ -38,7 +46,8 @@ try:
     simple.GetColorTransferFunction("u").RescaleTransferFunction(-1.0, 1.0)
     cut = simple.PixelExactSlice(Input=reader)
     cut.SliceType.Origin, cut.SliceType.Normal = [0, 0, 0.2], [1, 0, 0.3]
-    for display in shown, simple.Show(cut, view):
+    displays = [shown] + ([simple.Show(cut, view)] if {slice} else [])
+    for display in displays:
         simple.ColorBy(display, ("POINTS", "u"))
         display.SetScalarBarVisibility(view, False)
     view.CameraPosition, view.CameraFocalPoint = [1, 2, 5], [0, 0, 0]
@@ -66,8 +75,14 @@ EVENT = '  <pqevent object="pqClientMainWindow/menubar/menu_Edit" command="activ
 @unittest.skipIf(shutil.which("paraview") is None, "there is no window's ParaView")
 class Undo(unittest.TestCase):
     def test_undo_and_redo(self):
+        self.check("undo", ACTIONS, len(ACTIONS))
+
+    def test_iso_surfaces(self):
+        self.check("undo_iso", OF_ISO_SURFACES, 12, has_slice=False)
+
+    def check(self, name, actions, clicks, has_slice=True):
         script, events, frames = (
-            os.path.join(scene.PICTURES, "undo" + end) for end in (".py", ".xml", "_frame_")
+            os.path.join(scene.PICTURES, name + end) for end in (".py", ".xml", "_frame_")
         )
         for name in glob.glob(frames + "*.npy"):
             os.remove(name)
@@ -78,10 +93,11 @@ class Undo(unittest.TestCase):
                     environment={k: v for k, v in os.environ.items() if k.startswith("PIXELEXACT_")},
                     file=scene.data("toroid_hex_g3_p6.vtu"),
                     frames=frames,
-                    actions=[action for _, action in ACTIONS],
+                    actions=[action for _, action in actions],
+                    slice=has_slice,
                 )
             )
-        clicks = [EVENT.format(way) for way in ("EditUndo", "EditRedo") for _ in ACTIONS]
+        clicks = [EVENT.format(way) for way in ("EditUndo", "EditRedo") for _ in range(clicks)]
         with open(events, "w") as file:
             file.write("\n".join(['<?xml version="1.0" ?>', "<pqevents>", *clicks, "</pqevents>", ""]))
         done = subprocess.run(
@@ -99,9 +115,9 @@ class Undo(unittest.TestCase):
             rgb = numpy.load(name)
             if not seen or not numpy.array_equal(rgb, seen[-1]):
                 seen.append(rgb)
-        count = len(ACTIONS)
+        count = len(actions)
         self.assertEqual(len(seen), 3 * count + 1)
-        for i, (what, _) in enumerate(ACTIONS):
+        for i, (what, _) in enumerate(actions):
             with self.subTest(what):
                 before, after = seen[i], seen[i + 1]
                 self.assertFalse(numpy.array_equal(before, after), "the action shows")

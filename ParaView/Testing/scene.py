@@ -51,13 +51,15 @@ def point_source(points):
 
 def probe(grid, points, **settings):
     """Point arrays of the filter PixelExact Probe."""
-    found = simple.PixelExactProbe(Input=point_source(points), Source=grid, **settings)
+    places = point_source(points)
+    found = simple.PixelExactProbe(Input=places, Source=grid, **settings)
     arrays = servermanager.Fetch(found).GetPointData()
     result = {
         arrays.GetArrayName(i): vtk_to_numpy(arrays.GetArray(i)).copy()
         for i in range(arrays.GetNumberOfArrays())
     }
     simple.Delete(found)
+    simple.Delete(places)
     return result
 
 
@@ -79,9 +81,9 @@ def tool_values(inputs, field, points):
     return numpy.array([[float(row[key]) for key in columns] for row in rows])
 
 
-def make_plain(the_view):
+def make_plain(the_view, size=SIZE):
     """Nothing but data on a background, each pixel as it was drawn."""
-    the_view.ViewSize = SIZE
+    the_view.ViewSize = size
     the_view.OrientationAxesVisibility = 0
     the_view.UseColorPaletteForBackground = 0
     the_view.BackgroundColorMode = "Single Color"
@@ -92,14 +94,19 @@ def make_plain(the_view):
 def view(direction=(0, 0, -1), up=(0, 1, 0), centre=(0, 0, 0), scale=1.6):
     """A plain view in parallel projection."""
     made = simple.CreateView("RenderView")
-    make_plain(made)
-    made.CameraParallelProjection = 1
-    made.CameraParallelScale = scale
-    made.CameraFocalPoint = list(centre)
-    made.CameraPosition = [c - 10.0 * d for c, d in zip(centre, direction)]
-    made.CameraViewUp = list(up)
+    aim(made, direction, up, centre, scale)
     simple.SetActiveView(made)
     return made
+
+
+def aim(the_view, direction=(0, 0, -1), up=(0, 1, 0), centre=(0, 0, 0), scale=1.6, size=SIZE):
+    """Makes a view plain, in parallel projection."""
+    make_plain(the_view, size)
+    the_view.CameraParallelProjection = 1
+    the_view.CameraParallelScale = scale
+    the_view.CameraFocalPoint = list(centre)
+    the_view.CameraPosition = [c - 10.0 * d for c, d in zip(centre, direction)]
+    the_view.CameraViewUp = list(up)
 
 
 def pixels(the_view, name=None):
@@ -117,14 +124,14 @@ def is_background(rgb):
     return numpy.all(numpy.abs(rgb.astype(int) - [51, 102, 153]) <= 1, axis=-1)
 
 
-def rays(the_view, places):
+def rays(the_view, places, size=SIZE):
     """Where the rays through pixels (column, row) begin, and their direction, in parallel projection."""
     eye, centre = numpy.array(the_view.CameraPosition), numpy.array(the_view.CameraFocalPoint)
     ahead = (centre - eye) / math.dist(centre, eye)
     right = numpy.cross(ahead, the_view.CameraViewUp)
     right /= numpy.linalg.norm(right)
     up = numpy.cross(right, ahead)
-    width, height = SIZE
+    width, height = size
     step = 2.0 * the_view.CameraParallelScale / height
     places = numpy.asarray(places, dtype=float)
     across = (places[:, 0] + 0.5 - width / 2) * step
