@@ -69,7 +69,7 @@ struct vtkPixelExactRepresentation::Internals
   /// Data of a pixel, see GetPicked.
   struct PickedPoint
   {
-    /// Digits of numbers in the text that tell doubles apart.
+    /// Digits of numbers in the text that distinguish all doubles.
     static constexpr int kAllDigits = 17;
     /// Those that are easily read.
     static constexpr int kFewDigits = 6;

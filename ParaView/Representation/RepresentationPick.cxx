@@ -57,15 +57,17 @@ std::array<double, 2> EnclosureAt(vtkDataObject* grid, const char* field, const 
   return { lower->GetComponent(0, 0), upper->GetComponent(0, 0) };
 }
 
-/// An end of an interval, rounded outward to `digits` where these do not tell doubles apart.
+/// An end of an interval, rounded outward to `digits` where these do not distinguish all doubles.
+/// Values near the limits of doubles are not rounded.
 double RoundedOutward(double end, int digits, bool isUpper)
 {
-  if (end == 0.0 || !std::isfinite(end) || digits >= std::numeric_limits<double>::max_digits10)
+  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(end))) + 1 - digits);
+  const double units = end / unit;
+  if (!std::isnormal(unit) || !std::isfinite(units) ||
+    digits >= std::numeric_limits<double>::max_digits10)
   {
     return end;
   }
-  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(end))) + 1 - digits);
-  const double units = end / unit;
   return unit * (isUpper ? std::floor(units) + 1.0 : std::ceil(units) - 1.0);
 }
 

@@ -1,6 +1,7 @@
 """Panels explain themselves: each filter, reader and property has a text, and each entry a label."""
 
 import glob
+import html
 import os
 import re
 import unittest
@@ -79,6 +80,18 @@ class Panels(unittest.TestCase):
                 if group == "filters":
                     menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
                     self.assertEqual(menu.GetAttribute("category"), "PixelExact")
+
+    def test_help(self):
+        """ParaView's help has a page of each filter and reader, where Qt's tools made them."""
+        pages = os.path.join(scene.PICTURES, "..", "paraview_help")
+        if not os.path.isdir(pages):
+            self.skipTest("built without Qt's help tools")
+        for (group, name), proxy in proxies().items():
+            if group in ("filters", "sources"):
+                with self.subTest(name), open(os.path.join(pages, f"{group}.{name}.html")) as file:
+                    page = " ".join(html.unescape(file.read()).split())
+                    for text in proxy.GetDocumentation().GetShortHelp(), text_of(proxy):
+                        self.assertIn(text, page)
 
     def test_field_lists(self):
         """Fields are chosen from lists of the input's arrays; expressions have ParaView's calculator."""
