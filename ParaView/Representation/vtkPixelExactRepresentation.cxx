@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelExactRepresentation.h"
 
-#include "CompositeParts.h"
-#include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 #include "MessageWords.h"
 #include "RepresentationInternals.h"
@@ -11,7 +9,6 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkHighOrderGrid.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
@@ -24,101 +21,15 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 vtkStandardNewMacro(vtkPixelExactRepresentation);
-
-namespace
-{
-/// Whether any grid is without coefficients, or changed since.
-bool NeedsConversion(vtkDataObject* data)
-{
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    return std::ranges::any_of(pixelexact::PartsOf(composite),
-      [](const auto& part) { return !vtkUnstructuredGridToHighOrderGrid::IsConverted(part.grid); });
-  }
-  return !vtkUnstructuredGridToHighOrderGrid::IsConverted(vtkUnstructuredGrid::SafeDownCast(data));
-}
-
-/// The names of fields with coefficients, of a grid or of all blocks.
-std::set<std::string> FieldNamesOf(vtkDataObject* data)
-{
-  std::vector<vtkUnstructuredGrid*> grids;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    std::ranges::transform(pixelexact::PartsOf(composite), std::back_inserter(grids),
-      [](const auto& part) { return part.grid; });
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    grids.push_back(grid);
-  }
-  std::set<std::string> names;
-  for (vtkUnstructuredGrid* grid : grids)
-  {
-    const std::vector<std::string> own = pixelexact::StoredFieldNames(grid);
-    names.insert(own.begin(), own.end());
-  }
-  return names;
-}
-} // namespace
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoefficients(
-  vtkDataObject* data)
-{
-  auto shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  Interpolated.clear();
-  // In a parallel run, processes may have no cells.
-  if (HasCells(data) && NeedsConversion(data))
-  {
-    // Reads a copy, because the pipeline's object is in use by others.
-    shown->ShallowCopy(data);
-    Convert->SetInputDataObject(shown);
-    Convert->Update();
-    const std::set<std::string> before = FieldNamesOf(data);
-    data = Convert->GetOutputDataObject(0);
-    if (!before.empty())
-    {
-      // The converter adds those that the data have as arrays alone.
-      std::ranges::set_difference(
-        FieldNamesOf(data), before, std::inserter(Interpolated, Interpolated.end()));
-    }
-    shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  }
-  shown->ShallowCopy(data);
-  return shown;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPixelExactRepresentation::Internals::ShowsInterpolated() const
-{
-  return Mapper->GetScalarVisibility() && Interpolated.contains(ColorArray);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPixelExactRepresentation::Internals::HasOtherColors(vtkDataObject* data) const
-{
-  const auto isOther = [this](vtkUnstructuredGrid* grid)
-  { return pixelexact::HasNamesake(grid, ColorArray, !ColorsCells); };
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    return std::ranges::any_of(
-      pixelexact::PartsOf(composite), [&](const auto& part) { return isOther(part.grid); });
-  }
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
-  return grid != nullptr && isOther(grid);
-}
 
 //------------------------------------------------------------------------------
 vtkPixelExactRepresentation::Internals::Internals(vtkPixelExactRepresentation* self)
