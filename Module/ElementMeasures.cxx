@@ -2,7 +2,7 @@
 #include "ElementMeasures.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Element/MeshRanges.h"
+#include "Core/Element/Ranges.h"
 #include "Core/Expression/Expression.h"
 #include "Core/Integral/FieldNorms.h"
 #include "HighOrderArrays.h"
@@ -12,6 +12,7 @@
 #include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 
 namespace pixelexact
 {
@@ -74,6 +76,34 @@ Field FieldOf(
   Field field{ .name = name, .values = { spaces, spaceOf, offset, values, 1 } };
   Validate(field, mesh);
   return field;
+}
+/// A proven lower bound of a scalar in an element; NaN where none was found. The other end of the
+/// range is not searched.
+double LowerBoundOf(const Mesh& mesh, const Field& field, int element)
+{
+  constexpr double kTolerance = 1e-2;
+  constexpr int kMaxBoxes = 3000;
+  constexpr int kBoxesBetweenChecks = 16;
+  const ElementRange searched(mesh, element, { Quantity::Component, &field });
+  CertifiedRange range;
+  if (searched.IsFinite())
+  {
+    const std::unique_ptr<RangeSearch> search = searched.Begin();
+    bool isSharp = false;
+    while (!isSharp)
+    {
+      for (int k = 0; k < kBoxesBetweenChecks && !isSharp; ++k)
+      {
+        isSharp = !search->Refine(RangeSearch::End::Lower);
+      }
+      range = search->Current();
+      const double width = range.attained.upper - range.attained.lower;
+      isSharp = isSharp || range.GapBelow() <= kTolerance * width || range.boxes >= kMaxBoxes;
+    }
+    range = Scaled(range, searched.Exponent());
+  }
+  const double lower = range.outer.lower;
+  return std::isfinite(lower) ? lower : std::numeric_limits<double>::quiet_NaN();
 }
 } // namespace
 
@@ -182,21 +212,12 @@ std::vector<double> ElementMeasures::Sizes() const
 
 std::vector<double> ElementMeasures::LowerBounds(const std::string& expression) const
 {
-  constexpr RangeEffort kEffort{ .tolerance = 1e-2, .boxes = 3000 };
   Field field;
   field.name = expression;
   field.function = MakeExpression(expression, ExpressionScope{});
-  const std::vector<CertifiedRange> ranges =
-    ElementRanges(mesh_, { Quantity::Component, &field }, kEffort);
-  std::vector<double> bounds;
-  bounds.reserve(ranges.size());
-  for (const CertifiedRange& range : ranges)
-  {
-    const Interval& outer = range.outer;
-    bounds.push_back(outer.IsFinite() && !outer.IsEmpty()
-        ? outer.lower
-        : std::numeric_limits<double>::quiet_NaN());
-  }
+  std::vector<double> bounds(static_cast<std::size_t>(mesh_.Elements()));
+  tbb::parallel_for(0, mesh_.Elements(),
+    [&](int e) { bounds[static_cast<std::size_t>(e)] = LowerBoundOf(mesh_, field, e); });
   return bounds;
 }
 } // namespace pixelexact

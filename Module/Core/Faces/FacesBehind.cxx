@@ -3,6 +3,7 @@
 
 #include "Core/Faces/FacePairs.h"
 #include "Core/Faces/FacePlane.h"
+#include "Core/Faces/FaceTable.h"
 #include "Core/Location/Sample.h"
 #include "Core/Shape/ShapeFace.h"
 

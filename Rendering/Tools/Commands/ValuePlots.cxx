@@ -85,13 +85,15 @@ void AddOverTime(const ProbePoints& points, std::span<const ProbedStep> steps, P
 {
   const std::vector<ProbedField>& fields = steps.front().fields;
   const std::string input = steps.front().input.empty() ? "" : ", " + steps.front().input;
+  const bool isAlone = fields.size() == 1 && fields.front().samples.components == 1;
   for (std::size_t k = 0; k < points.x.size(); ++k)
   {
     for (std::size_t f = 0; f < fields.size(); ++f)
     {
       for (std::size_t c = 0; c < fields[f].samples.components; ++c)
       {
-        Plot::Series series{ fmt::format("{}, {}{}", ColumnName(fields[f], c), k, input),
+        Plot::Series series{ fmt::format("{}point {}{}",
+                               isAlone ? "" : ColumnName(fields[f], c) + ", ", k, input),
           SeriesColor(plot.series.size()), {}, true, false, true };
         series.points.reserve(steps.size());
         for (const ProbedStep& step : steps)
