@@ -31,7 +31,7 @@ public:
   FacesBehind(
     const Locator& locator, const FaceTable& table, const PlacesByOrder& places, int order);
 
-  /// Finds them for an element. Elements may be found at the same time.
+  /// Finds them for an element. Threads may find those of different elements at the same time.
   void Find(int element);
   /// Null for faces that meet one other face, or none.
   [[nodiscard]] const ManyBehind* Of(const ElementFace& face) const;

@@ -13,6 +13,9 @@ class App;
 
 namespace pixelexact
 {
+class HighOrderModel;
+struct Field;
+
 /// The requests of the inputs that --with names, a group of files each. They are as `first` in all
 /// but the files; where a group contains fields only, its mesh is that of `first`.
 std::vector<InputRequest> RequestsWith(
@@ -36,9 +39,6 @@ public:
 private:
   std::vector<std::vector<std::string>> Groups;
 };
-
-class HighOrderModel;
-struct Field;
 
 /// The field of this name, or, where there is none and `text` is no expression, the only one, whose
 /// name may be that of its file. `name`: of the input. Throws Error, naming input and fields.
