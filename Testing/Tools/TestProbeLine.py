@@ -85,6 +85,8 @@ class ProbeLine(ToolTest):
         self.assertIn("<svg", plot.read_text(encoding="utf-8"))
         found = self.summary("probe", self.cube, "--field", "u", *LINE, *others, "--output", self.folder / "o.csv")
         self.assertEqual([one["solution"] for one in found["solutions"]], names)
+        twice = self.rows("--field", "u", *LINE, "--with", self.cube)["solution"]
+        self.assertEqual([name[-4:] for name in twice[[0, -1]]], [" (1)", " (2)"])
         base = ["probe", self.cube, *LINE, "--with", paths[1], "--field"]
         self.fails(1, *base, "v", names=["--with 'p/cube.vtu'", "components"])
         done = run(*base, "2*u")

@@ -238,7 +238,7 @@ void CompareSteps(const ShotOptions& shot, const DifferenceOptions& difference,
   const std::filesystem::path folder =
     MakeOutputFolder(output, shot.input.files.front(), "-series");
   Stopwatch stopwatch;
-  const RepeatedCommand command{ common.words, {} };
+  RepeatedCommand command{ common.words, {} };
   std::vector<StepDifference> steps;
   Table table;
   for (std::size_t k = 0; k < count; ++k)
@@ -248,6 +248,7 @@ void CompareSteps(const ShotOptions& shot, const DifferenceOptions& difference,
     asked.input.step = static_cast<int>(k);
     const Shot prepared = Prepare(asked, stopwatch);
     RequireField(prepared);
+    command.chosen = prepared.chosen;
     InputRequest request = difference.Requests(asked.input).front();
     request.step = request.step || request.time ? request.step : asked.input.step;
     const OtherSolution other = LoadOther(request, difference.FieldName(), prepared, stopwatch);
@@ -275,6 +276,10 @@ void CompareSteps(const ShotOptions& shot, const DifferenceOptions& difference,
   if (!common.json)
   {
     AddStages(table, stopwatch);
+    if (!command.chosen.empty())
+    {
+      table.Row("repeat", command.Text());
+    }
     table.Print();
     return;
   }

@@ -64,8 +64,13 @@ std::vector<std::string> NamesOfInputs(const std::vector<InputRequest>& requests
       });
     if (std::set<std::string>(names.begin(), names.end()).size() == names.size())
     {
-      break;
+      return names;
     }
+  }
+  // The same file may be there several times.
+  for (std::size_t k = 0; k < names.size(); ++k)
+  {
+    names[k] += " (" + std::to_string(k + 1) + ")";
   }
   return names;
 }

@@ -22,7 +22,7 @@ std::vector<InputRequest> RequestsWith(
   const InputRequest& first, const std::vector<std::vector<std::string>>& groups);
 
 /// A name for each input: that of its last file, with as many of its folders as distinguish all of
-/// them, or all there are.
+/// them. Where a file is there several times, names are numbered.
 std::vector<std::string> NamesOfInputs(const std::vector<InputRequest>& requests);
 
 /// --with of commands that compute the same numbers of several inputs.
