@@ -7,6 +7,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Expression/Expression.h"
 #include "Core/Expression/Program.h"
+#include "ElementMeasures.h"
 #include "Fingerprint.h"
 #include "JoinedArrays.h"
 #include "MeshPart.h"
@@ -24,6 +25,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
+#include <set>
 
 namespace pixelexact
 {
@@ -141,6 +144,20 @@ struct HighOrderModel::Internals
   ExpressionScope names; ///< without fields and numbers
   std::mutex making;
   std::map<std::string, Field> made; ///< of expressions, by their text
+  std::optional<ElementMeasures> measures;
+
+  /// The measures that an expression names, and that are not the names of something else.
+  [[nodiscard]] std::set<std::string> MeasuresNamedIn(const std::string& text) const
+  {
+    std::set<std::string> found = ElementMeasures::NamedIn(text, names.definitions);
+    std::erase_if(found,
+      [this](const std::string& name)
+      {
+        return names.definitions.contains(name) || names.parameters.contains(name) ||
+          std::ranges::find(fields, name, &Field::name) != fields.end();
+      });
+    return found;
+  }
 
   void AddField(vtkUnstructuredGrid* source, const std::string& name)
   {
@@ -186,6 +203,8 @@ HighOrderModel::HighOrderModel(vtkUnstructuredGrid* given)
   Data->selected = SelectedCellsOf(given);
   const auto grid = IsPacked(given) ? Unpack(given) : vtkSmartPointer<vtkUnstructuredGrid>(given);
   Data->part = MeshPart::Of(grid);
+  Data->measures.emplace(Data->part->GetMesh());
+  Data->measures->Read(given);
   for (const auto& name : StoredFieldNames(grid))
   {
     Data->AddField(grid, name);
@@ -229,6 +248,11 @@ HighOrderModel::HighOrderModel(vtkCompositeDataSet* data)
     }
   }
   Data->part = MeshPart::Join(std::move(parts));
+  Data->measures.emplace(GetMesh());
+  for (const auto& model : models)
+  {
+    Data->measures->Append(*model->Data->measures);
+  }
   Data->names = models.front()->Data->names;
   for (const Field& first : models.front()->Data->fields)
   {
@@ -325,7 +349,7 @@ const Field& HighOrderModel::GetField(const std::string& text) const
   }
   const std::scoped_lock lock(Data->making);
   Field& field = Data->made[text];
-  if (field.function != nullptr)
+  if (!field.name.empty())
   {
     return field;
   }
@@ -336,6 +360,14 @@ const Field& HighOrderModel::GetField(const std::string& text) const
   const auto defined = scope.definitions.find(text);
   try
   {
+    if (const std::set<std::string> measures = Data->MeasuresNamedIn(text); !measures.empty())
+    {
+      scope.fields = Data->measures->With(Data->fields, measures);
+      if (measures.contains(text))
+      {
+        return field = scope.fields.back();
+      }
+    }
     const auto expression =
       MakeExpression(defined == scope.definitions.end() ? text : defined->second, scope);
     if (IsShell())

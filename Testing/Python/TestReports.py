@@ -200,10 +200,41 @@ class Comparisons(InFolder):
         self.assertEqual([row["solution"] for row in several.rows], [PRISMS.name, TORUS.name])
         self.assertEqual(several.rows[0]["pixels"], one["pixels"])
         self.assertEqual(several.rows[1]["pixels"]["largest"], 0)
+        steps = TORUS.parent / "vtkhdf_steps.vtkhdf"
+        times = pixelexact.compare(
+            steps, "u", with_=steps, with_time_step=0, time_step="all", plane="z=0.5", output=self.folder / "c")
+        self.assertEqual([row["time"] for row in times.rows], [0.0, 0.5, 1.0])
+        self.assertGreater(times.rows[2]["pixels"]["largest"], 11.0)
 
     def test_refused(self):
         with self.assertRaisesRegex(pixelexact.Error, "--resolutions"):
             pixelexact.compare(TORUS, "u", resolutions="many", output=self.folder / "trade")
+
+
+class Series(unittest.TestCase):
+    def test_norms_and_jumps_by_the_programs_names(self):
+        folder = TORUS.parent / "sine_series"
+        error = "u - sin(pi*x)*sin(pi*y)*sin(pi*z)"
+        grid = pixelexact.read(folder / "p1.vtu")
+        found = pixelexact.info(grid, norms=error, with_=[[folder / "p2.vtu"], [folder / "p3.vtu"]], jumps="u")
+        norms = [one["norms"][0]["l2"] for one in found["norms"]["series"]["solutions"]]
+        self.assertEqual(norms[0], pixelexact.norms(grid, error).l2)
+        self.assertEqual(norms[2], pixelexact.norms(folder / "p3.vtu", error).l2)
+        self.assertGreater(found["norms"]["series"]["orders"][0]["l2"]["overall"], 3.0)
+        self.assertTrue(found["jumps"]["fields"][0]["zero_within_rounding"])
+        with self.assertRaisesRegex(pixelexact.Error, "--norms"):
+            pixelexact.info(grid, with_=folder / "p2.vtu")
+
+    def test_measures_of_elements(self):
+        grid = pixelexact.read(TORUS)
+        least = pixelexact.extremes(grid, lambda minScaledJacobian: minScaledJacobian).minimum
+        self.assertLessEqual(least.value, pixelexact.extremes(grid, "scaledJacobian").minimum.value)
+        kept = pixelexact.calculate(grid, quality="minScaledJacobian")
+        self.assertEqual(pixelexact.extremes(kept, "quality").minimum.value, least.value)
+        sizes = pixelexact.norms(grid, "elementSize^3")
+        self.assertEqual(len(sizes.elements["Volume"]), 48)
+        with self.assertRaisesRegex(pixelexact.Error, "no attributes"):
+            pixelexact.extremes(pixelexact.read(TORUS.parent / "sine_series" / "p1.vtu"), "attribute")
 
 
 class TextsOfGrids(unittest.TestCase):

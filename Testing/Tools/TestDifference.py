@@ -7,29 +7,11 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, ToolTest, View, case, plain_grid, read_buffers, read_csv, read_image
+from lagrange import lagrange_grid
+from tool import CUBE, DATA, ToolTest, View, case, plain_grid, read_buffers, read_csv, read_image
 
 NOTHING, BOTH, UNKNOWN, FIRST, SECOND = range(5)
 SIZE = ["--size", "300x300"]
-
-
-def lagrange_grid(function, cells, order):
-    """[0,1]^3 of cells^3 Lagrange hexahedra with the interpolant of `function`."""
-    from vtkmodules.vtkCommonDataModel import vtkLagrangeHexahedron
-
-    nodes = (order + 1) ** 3
-    points, elements = [], []
-    for cell in np.ndindex(cells, cells, cells):
-        own = [None] * nodes
-        for ijk in np.ndindex(order + 1, order + 1, order + 1):
-            at = vtkLagrangeHexahedron.PointIndexFromIJK(*ijk, [order, order, order])
-            own[at] = [(c + a / order) / cells for c, a in zip(cell, ijk)]
-        elements.append((72, list(range(len(points), len(points) + nodes))))
-        points += own
-    values = [float(function(*point)) for point in points]
-    text = plain_grid(points, elements, [("u", values)])
-    # VTK's readers renumber the nodes of files before version 2.2.
-    return text.replace('"1.0" byte_order', '"2.2" byte_order')
 
 
 def smooth(x, y, z):
@@ -281,6 +263,44 @@ class Series(ToolTest):
         summary, rows, _ = self.series(reference, [reference, reference], "--field", "u")
         self.assertNotIn("orders", summary["convergence"])
         self.assertEqual([row["order_of_l2"] for row in rows], ["", ""])
+
+
+class OverTime(ToolTest):
+    STEPS = DATA / "vtkhdf_steps.vtkhdf"
+
+    def test_each_step_is_compared(self):
+        folder = self.folder / "out"
+        view = ["--field", "u", "--plane", "z=0.5", "--size", "500x300"]
+        found = self.summary("compare", self.STEPS, *view, "--time-step", "all", "--with", self.STEPS,
+            "--with-time-step", "0", "-o", folder)  # fmt: skip
+        steps = found["steps"]
+        self.assertEqual([(step["step"], step["time"]) for step in steps], [(0, 0.0), (1, 0.5), (2, 1.0)])
+        # u differs by t (x + x^2), at most 12 t for x up to 3.
+        largest = [step["pixels"]["largest"] for step in steps]
+        self.assertLess(largest[0], 1e-13)
+        self.assertAlmostEqual(largest[1], 0.5 * largest[2], delta=1e-13)
+        self.assertLess(largest[2], 12.0)
+        self.assertGreater(largest[2], 11.5)
+        rows = read_csv(folder / "over_time.csv")
+        self.assertEqual([float(row["largest"]) for row in rows], largest)
+        self.assertEqual([float(row["l2"]) for row in rows], [step["pixels"]["l2"] for step in steps])
+        for name in ("difference-0", "difference-2", "over_time"):
+            self.assertGreater(len(np.unique(read_image(folder / f"{name}.png").reshape(-1, 3), axis=0)), 3)
+        # The other solution goes along, where no step of it is given.
+        found = self.summary("compare", self.STEPS, *view, "--time-step", "all", "--with", self.STEPS, "-o", folder)
+        self.assertLess(max(step["pixels"]["largest"] for step in found["steps"]), 1e-13)
+        text = self.succeeds("compare", self.STEPS, *view, "--time-step", "all", "--with", self.STEPS,
+            "--with-time-step", "0", "-o", folder).stdout  # fmt: skip
+        self.assertRegex(text, r"step 2 +time 1: largest 11\.\d+, mean ")
+
+    def test_refusals(self):
+        base = ["compare", self.STEPS, "--field", "u", "--plane", "z=0.5", "--time-step", "all"]
+        self.fails(2, *base, names=["--time-step all", "--with"])
+        self.fails(2, *base, "--with", self.STEPS, "--with", self.STEPS, names=["--time-step all", "once"])
+        self.fails(2, *base, "--with", self.STEPS, "--buffers", self.folder / "b.vti", names=["--buffers"])
+        still = case("toroid_hex_g3_p6")
+        self.fails(1, "compare", still, "--field", "u", "--plane", "z", "--time-step", "all", "--with", still,
+            names=["no time steps"])  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -367,6 +367,57 @@ class Expressions(ToolTest):
         for options in (["--precision", "float"], ["--layer", "1:precision=float"]):
             self.fails(2, *base, *options, names=["'2*u'", "double precision", "leave it out"])
 
+    def test_measures_of_elements(self):
+        """attribute, elementSize, and bounds of det J, which hold all samples in each element."""
+        beam = DATA / "mfem_beam_hex_elast_p4"
+        buffers = self.folder / "out.vti"
+
+        def render(field, *files):
+            self.succeeds("render", *files, "--field", field, "--boundary", "--size", "120x90", "--view", "iso",
+                "--output", self.folder / "a.png", "--buffers", buffers)  # fmt: skip
+            found = read_buffers(buffers)
+            exact = found["Verdict"] == 1
+            return found["Value"][exact], found["Element"][exact]
+
+        files = [beam / "mfem_beam_hex_elast_p4.mesh", beam / "displacement.gf"]
+        value, element = render("attribute", *files)
+        np.testing.assert_array_equal(value, np.where(element < 32, 1, 2))
+        np.testing.assert_allclose(render("elementSize", *files)[0], 0.5, rtol=1e-14)
+        for text, sampled in [("minScaledJacobian", "scaledJacobian"), ("minDetJ", "detJ")]:
+            bound, element = render(text, TORUS)
+            sample, same = render(sampled, TORUS)
+            np.testing.assert_array_equal(element, same)
+            self.assertTrue((bound <= sample).all())
+            for e in np.unique(element):
+                self.assertEqual(len(np.unique(bound[element == e])), 1)
+                # The bound is attained to a thousandth of the range, and some samples come near.
+                self.assertGreater(bound[element == e][0], 0.5 * sample[element == e].min())
+        # They are fields: parts of expressions, with proven extremes.
+        found = self.summary("info", TORUS, "--extremes", "minScaledJacobian", "--extremes", "2*minScaledJacobian")
+        one, two = (field["components"][0]["minimum"]["value"] for field in found["extremes"]["fields"])
+        self.assertAlmostEqual(two, 2 * one, delta=1e-15)
+        # A bound of a folded element is not positive; elementSize is the third root of its volume.
+        points = [[0.9, 0.9, 0.9]] + CUBE[1:]
+        path = self.folder / "folded.vtu"
+        path.write_text(
+            plain_grid(points, [(12, list(range(8)))], [("u", [p[0] for p in points])]), encoding="utf-8")
+        found = self.summary("info", path, "--extremes", "minScaledJacobian")["extremes"]["fields"][0]
+        self.assertLess(found["components"][0]["maximum"]["value"], 0.0)
+        self.fails(1, "info", path, "--extremes", "attribute", names=["attributes", "element"])
+
+    def test_orders_by_direction(self):
+        folder = DATA / "nek_hex_aniso_p3p5p7"
+        files = [folder / f"{folder.name}.xml", folder / f"{folder.name}.fld"]
+        texts = ["order(u)", "order(u, 0)", "order(u, 1)", "order(u, 2)"]
+        words = [word for text in texts for word in ("--extremes", text)]
+        found = self.summary("info", *files, *words)["extremes"]["fields"]
+        orders = [field["components"][0]["maximum"]["value"] for field in found]
+        self.assertEqual(orders, [7, 3, 5, 7])
+        for text in ("order(u, 3)", "order(u, -1)", "order(u, 0.5)"):
+            done = run("info", *files, "--extremes", text)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("is no direction of order; write 0, 1 or 2", done.stderr)
+
     def test_places_are_those_asked_for(self):
         found = self.probe("min(x, y)", "--enclosures")
         inside = found["verdict"] == "inside"

@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 
+import lagrange
 from tool import CUBE, DATA, ToolTest, case, plain_grid, read_buffers, read_csv
 
 
@@ -49,6 +50,15 @@ class Jumps(ToolTest):
         text = self.succeeds("info", path, "--jumps", "u").stdout
         self.assertRegex(text, r"u: largest 1\.9\d+, proven at most 2\.")
         self.assertIn("elements 0 and 1, at (1, ", text)
+
+    def test_numpy_quadrature(self):
+        path = case("periodic_hex_dg_g3_p4")
+        found = self.jumps(path, "--jumps", "u")
+        area, l2 = lagrange.jumps(lagrange.read_hexahedra(path))
+        self.assertAlmostEqual(found["area"], area, delta=1e-12 * area)
+        self.assertAlmostEqual(found["l2"], l2, delta=1e-12 * l2)
+        area, l2 = lagrange.jumps(lagrange.read_hexahedra(case("toroid_hex_g3_p6")))
+        self.assertLess(l2, 1e-12)
 
     def test_hanging_faces(self):
         small = [([1, y, z], 0.5, lambda x, y, z: x + y) for y in (0, 0.5) for z in (0, 0.5)]

@@ -6,6 +6,7 @@ import unittest
 
 import numpy as np
 
+import lagrange
 from tool import CUBE, DATA, ToolTest, case, plain_grid, read_csv, unit_cube_grid
 
 KOVASZNAY = DATA / "nek_plane_kovasznay_p7"
@@ -109,6 +110,57 @@ class Norms(ToolTest):
             plain_grid(points, [(12, list(range(8)))], [("u", [p[0] for p in points])]), encoding="utf-8")
         self.assertEqual(self.norms(path, "--norms", "u")[0]["folded_elements"], 1)
         self.assertIn("det J <= 0 in 1 element", self.succeeds("info", path, "--norms", "u").stdout)
+
+    def test_numpy_quadrature(self):
+        for name in ("toroid_hex_g3_p6", "periodic_hex_dg_g3_p4"):
+            found = self.norms(case(name), "--norms", "u")[0]
+            volume, l2 = lagrange.norms(lagrange.read_hexahedra(case(name)))
+            self.assertAlmostEqual(found["volume"]["value"], volume, delta=1e-12 * volume)
+            self.assertAlmostEqual(found["l2"]["value"], l2, delta=1e-12 * l2)
+
+    def test_a_series_over_the_elements_length(self):
+        paths = [self.folder / f"n{n}" / "u.vtu" for n in (2, 4, 8)]
+        for path, n in zip(paths, (2, 4, 8), strict=True):
+            path.parent.mkdir()
+            path.write_text(lagrange.lagrange_grid(lagrange.sine, n, 2), encoding="utf-8")
+        error = f"u - {lagrange.SINE}"
+        plot = self.folder / "plot.svg"
+        # In any order.
+        found = self.summary("info", paths[1], "--with", paths[2], "--with", paths[0], "--norms", error,
+            "--norms", "u", "--plot", plot)["norms"]  # fmt: skip
+        series = found["series"]
+        self.assertEqual(series["over"], "relative_length")
+        self.assertEqual([one["solution"] for one in series["solutions"]], ["n2/u.vtu", "n4/u.vtu", "n8/u.vtu"])
+        self.assertEqual([one["elements"] for one in series["solutions"]], [8, 64, 512])
+        self.assertEqual(series["solutions"][1]["norms"][0]["l2"], found["fields"][0]["l2"]["value"])
+        alone = self.norms(paths[2], "--norms", error)[0]
+        self.assertEqual(series["solutions"][2]["norms"][0]["l2"], alone["l2"]["value"])
+        for norm in ("l1", "l2", "linf"):
+            self.assertAlmostEqual(series["orders"][0][norm]["last"], 3.0, delta=0.15)
+            self.assertEqual(series["orders"][0][norm]["solutions"], 3)
+        self.assertAlmostEqual(series["orders"][1]["l2"]["last"], 0.0, delta=0.01)
+        text = plot.read_text(encoding="utf-8")
+        self.assertIn("<svg", text)
+        report = self.succeeds("info", paths[0], "--with", paths[1], "--norms", error).stdout
+        self.assertRegex(report, r"slope of L2: [23]\.\d\d, at the end [23]\.\d\d, over the elements' length")
+
+    def test_a_series_over_orders(self):
+        paths = [DATA / "sine_series" / f"p{order}.vtu" for order in (1, 2, 3, 4)]
+        others = [word for path in paths[1:] for word in ("--with", path)]
+        series = self.summary("info", paths[0], *others, "--norms", f"u - {lagrange.SINE}")["norms"]["series"]
+        self.assertEqual(series["over"], "modes")
+        self.assertEqual([one["modes"] for one in series["solutions"]], [64, 216, 512, 1000])
+        errors = np.array([one["norms"][0]["l2"] for one in series["solutions"]])
+        steps = np.array([64.0, 216.0, 512.0, 1000.0]) ** (-1 / 3)
+        slope = np.polyfit(np.log(steps), np.log(errors), 1)[0]
+        self.assertAlmostEqual(series["orders"][0]["l2"]["overall"], slope, delta=1e-10)
+
+    def test_refusals_of_a_series(self):
+        path = case("toroid_hex_g3_p6")
+        self.fails(2, "info", path, "--with", path, names=["--norms"])
+        self.fails(2, "info", path, "--norms", "u", "--plot", self.folder / "p.png", names=["--plot", "--with"])
+        self.fails(1, "info", path, "--with", case("nothing"), "--norms", "u", names=["nothing"])
+        self.fails(2, "info", path, "--norms", "u", "--with", path, "--plot", "p.txt", names=["--plot", "p.txt"])
 
     def test_refusals(self):
         path = case("toroid_hex_g3_p6")

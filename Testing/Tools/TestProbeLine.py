@@ -66,6 +66,34 @@ class ProbeLine(ToolTest):
         self.assertLess(found["fields"][1]["enclosures"]["largest_width"], 1e-12)
         self.assertNotIn("fields", self.summary("probe", self.cube, "--field", "u", *LINE, *output))
 
+    def test_several_solutions(self):
+        """The same line through solutions whose fields are named after their files, and whose names are
+        those of their folders."""
+        paths = [self.cube]
+        for k, name in enumerate(("p", "q"), 2):
+            path = self.folder / name / "cube.vtu"
+            path.parent.mkdir()
+            path.write_text(unit_cube_grid([(name, [k * p[0] for p in CUBE])]), encoding="utf-8")
+            paths.append(path)
+        others = ["--with", paths[1], "--with", paths[2]]
+        plot = self.folder / "plot.svg"
+        rows = self.rows("--field", "u", *LINE, *others, "--plot", plot)
+        names = [f"{self.folder.name}/cube.vtu", "p/cube.vtu", "q/cube.vtu"]
+        self.assertEqual(list(rows["solution"]), [name for name in names for _ in range(7)])
+        one = self.rows("--field", "u", *LINE)["value"]
+        np.testing.assert_allclose(rows["value"], np.concatenate([one, 2 * one, 3 * one]), rtol=1e-15, atol=0)
+        self.assertIn("<svg", plot.read_text(encoding="utf-8"))
+        found = self.summary("probe", self.cube, "--field", "u", *LINE, *others, "--output", self.folder / "o.csv")
+        self.assertEqual([one["solution"] for one in found["solutions"]], names)
+        twice = self.rows("--field", "u", *LINE, "--with", self.cube)["solution"]
+        self.assertEqual([name[-4:] for name in twice[[0, -1]]], [" (1)", " (2)"])
+        base = ["probe", self.cube, *LINE, "--with", paths[1], "--field"]
+        self.fails(1, *base, "v", names=["--with 'p/cube.vtu'", "components"])
+        done = run(*base, "2*u")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("'p/cube.vtu': nothing is named 'u'", done.stderr)
+        self.fails(1, "probe", self.cube, "--field", "u", *LINE, "--with", self.folder / "no.vtu", names=["no.vtu"])
+
     def test_refused(self):
         base = ["probe", self.cube, "--field", "u"]
         for text in ["1,2,3,4,5,6", "0,0,0,1,1,1,1", "0,0,0,1,1,1,2.5", "0,0,0,1,1,nan,5",

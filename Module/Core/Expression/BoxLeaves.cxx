@@ -90,7 +90,7 @@ BoxLeaves::BoxLeaves(std::span<const Graph::Node> leaves, std::span<const Field*
                    numbers.empty() ? element : numbers[static_cast<std::size_t>(element)]) };
         break;
       case Operation::Order:
-        leaf = { .constant = static_cast<double>(HighestOrder(Fields, leaf.field, element)) };
+        leaf = { .constant = static_cast<double>(OrderOf(leaf, Fields, element)) };
         break;
       default:
         Need(leaf);

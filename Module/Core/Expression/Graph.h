@@ -21,7 +21,7 @@ enum class Operation : std::uint8_t
   ScaledJacobian,  ///< det J over the product of the lengths of J's columns
   ElementNumber,
   Normal,    ///< n_a, of the surface
-  Order,     ///< of field f in the element; f = -1: the highest of all fields
+  Order,     ///< of field f (-1: of all fields) in the element, along xi_{a-1}; a = 0: the highest
   Value,     ///< component c of field f
   Slope,     ///< its derivative by x_a
   Curvature, ///< its second derivative by x_a and x_b, a <= b

@@ -374,7 +374,7 @@ void PointLeaves::Fill(const Mesh& mesh, int element, const LanePoints& xi, cons
         });
       return;
     default:
-      each([&, order = HighestOrder(Fields, leaf.field, element)](int /*i*/) { return order; });
+      each([&, order = OrderOf(leaf, Fields, element)](int /*i*/) { return order; });
   }
 }
 } // namespace pixelexact

@@ -13,17 +13,18 @@
 
 namespace pixelexact
 {
-/// The highest order of a field in an element; of all fields where `field` is -1. `Needed` has a
-/// `field`.
+/// The value of a leaf Operation::Order in an element. `Needed` has a `field`.
 template <class Needed>
-[[nodiscard]] int HighestOrder(const std::vector<Needed>& fields, int field, int element)
+[[nodiscard]] int OrderOf(const Graph::Node& leaf, const std::vector<Needed>& fields, int element)
 {
   int order = 0;
   for (std::size_t f = 0; f < fields.size(); ++f)
   {
-    if (field < 0 || f == static_cast<std::size_t>(field))
+    if (leaf.field < 0 || f == static_cast<std::size_t>(leaf.field))
     {
-      order = std::max(order, fields[f].field->values.SpaceOf(element).MaxOrder());
+      const Space& space = fields[f].field->values.SpaceOf(element);
+      order = std::max<int>(
+        order, leaf.a == 0 ? space.MaxOrder() : space.order[static_cast<std::size_t>(leaf.a - 1)]);
     }
   }
   return order;

@@ -304,7 +304,7 @@ Tensor Translator::MakeField(std::size_t field)
 
 Tensor Translator::MakeCall(const Term& term)
 {
-  if (term.text == "order" && term.children.size() == 1)
+  if (term.text == "order" && (term.children.size() == 1 || term.children.size() == 2))
   {
     const std::size_t field = FindField(term.children[0].text);
     return AtTerm(term,
@@ -314,8 +314,15 @@ Tensor Translator::MakeCall(const Term& term)
         {
           throw InvalidData("order takes the name of a field; there are " + KnownNames());
         }
-        return ScalarOf(
-          Scalars.Leaf({ .operation = Operation::Order, .field = static_cast<int>(field) }));
+        int direction = -1;
+        if (term.children.size() == 2 &&
+          (!ReadNumber(term.children[1].text, direction) || direction < 0 || direction > 2))
+        {
+          throw InvalidData("'" + term.children[1].text +
+            "' is no direction of order; write 0, 1 or 2 for xi[0], xi[1] or xi[2]");
+        }
+        return ScalarOf(Scalars.Leaf(
+          { .operation = Operation::Order, .field = static_cast<int>(field), .a = direction + 1 }));
       });
   }
   std::vector<Tensor> arguments;

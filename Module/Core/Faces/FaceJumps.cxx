@@ -6,11 +6,10 @@
 #include "Core/Element/FieldFunction.h"
 #include "Core/Element/ParallelProgress.h"
 #include "Core/Element/RangeIngredients.h"
-#include "Core/Faces/BehindFace.h"
 #include "Core/Faces/FacePairs.h"
 #include "Core/Faces/FacePlaces.h"
-#include "Core/Faces/FacePlane.h"
 #include "Core/Faces/FaceSampler.h"
+#include "Core/Faces/FacesBehind.h"
 #include "Core/Location/Sample.h"
 #include "Core/Shape/ShapeFace.h"
 
@@ -22,7 +21,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <span>
 
 namespace pixelexact
@@ -31,8 +29,6 @@ namespace
 {
 /// Bounds the error of a sample's xi, along each axis: roundings of its parameters and of the sums.
 constexpr double kPlaceError = 64.0 * kUnitRoundoff;
-/// Distance of xi up to which a point lies on a face.
-constexpr double kOnThisFace = 1e-6;
 /// The order for which an expression is sampled.
 constexpr int kOrderOfExpressions = 8;
 
@@ -77,20 +73,11 @@ double SampleErrorOf(const Field& field, int element)
   return error * (1.0 + 0x1p-20) + kUnderflow;
 }
 
-/// The elements behind the Gauss points of a face that meets parts of others.
-struct ManyBehind
-{
-  std::vector<BehindFace> behind;
-  std::vector<ElementFace> faces; ///< on which these points lie
-  bool isNested = false;          ///< all of the face lies on one other face
-};
-
 class JumpFinder
 {
 public:
   JumpFinder(const Locator& locator, const FaceTable& table, const Field& field)
-    : locator_(locator)
-    , Table(table)
+    : Table(table)
     , field_(field)
     , mesh_(locator.GetMesh())
     , Components(static_cast<std::size_t>(field.values.components))
@@ -98,24 +85,14 @@ public:
     , Grids(HighestOrderOf(mesh_.map))
     , Places(FieldOrder + HighestOrderOf(mesh_.map), FieldOrder)
     , Uncertainty(static_cast<std::size_t>(mesh_.Elements()))
-    , Many(static_cast<std::size_t>(mesh_.Elements()))
+    , Many(locator, table, Places, FieldOrder)
   {
     tbb::parallel_for(0, mesh_.Elements(),
       [&](int e) { Uncertainty[static_cast<std::size_t>(e)] = ImageUncertainty(mesh_, e); });
   }
 
   /// Finds what lies behind faces that meet parts of others.
-  void FindMany(int element)
-  {
-    for (int f = 0; f < FacesOfElement(element); ++f)
-    {
-      const FaceKind kind = Table.KindOf(element, f);
-      if (kind == FaceKind::Hanging || kind == FaceKind::Partly)
-      {
-        Many[static_cast<std::size_t>(element)].emplace(f, BehindAll({ element, f }));
-      }
-    }
-  }
+  void FindMany(int element) { Many.Find(element); }
 
   [[nodiscard]] FaceJumps Of(int element) const
   {
@@ -201,23 +178,10 @@ private:
 
   void AddWhole(const ElementFace& face, const ElementFace& other, FaceJumps& found) const;
   void AddMany(const ElementFace& face, FaceJumps& found) const;
-  [[nodiscard]] ManyBehind BehindAll(const ElementFace& face) const;
-  [[nodiscard]] const ManyBehind* ManyOf(const ElementFace& face) const
-  {
-    if (face.element < 0)
-    {
-      return nullptr;
-    }
-    const auto& ofElement = Many[static_cast<std::size_t>(face.element)];
-    const auto at = ofElement.find(face.face);
-    return at == ofElement.end() ? nullptr : &at->second;
-  }
   /// Adds the integrals over places of a face to a jump.
   void Integrate(const ElementFace& face, const FacePlaces& places, std::span<const double> jumps,
     std::span<const char> counts, FaceJump& jump) const;
-  [[nodiscard]] ElementFace FaceAt(int element, const Vec3& xi) const;
 
-  const Locator& locator_;
   const FaceTable& Table;
   const Field& field_;
   const Mesh& mesh_;
@@ -226,7 +190,7 @@ private:
   FaceGrids Grids;
   PlacesByOrder Places;
   std::vector<Vec3> Uncertainty;
-  std::vector<std::map<int, ManyBehind>> Many; ///< by element, by face
+  FacesBehind Many;
 };
 
 void JumpFinder::Integrate(const ElementFace& face, const FacePlaces& places,
@@ -298,44 +262,9 @@ void JumpFinder::AddWhole(const ElementFace& face, const ElementFace& other, Fac
   found.faces.push_back(jump);
 }
 
-ElementFace JumpFinder::FaceAt(int element, const Vec3& xi) const
-{
-  const auto planes = FacePlanesOf(mesh_.ShapeOf(element));
-  for (std::size_t f = 0; f < planes.size(); ++f)
-  {
-    if (std::fabs(planes[f].Distance(xi)) <= kOnThisFace)
-    {
-      return { element, static_cast<std::int32_t>(f) };
-    }
-  }
-  return {};
-}
-
-ManyBehind JumpFinder::BehindAll(const ElementFace& face) const
-{
-  const int order = FieldOrder + mesh_.map.SpaceOf(face.element).MaxOrder();
-  const FacePlaces& places = Places.GaussOf(Reference(face).corners, order);
-  std::vector<Vec3> xi;
-  std::ranges::transform(places.points, std::back_inserter(xi),
-    [&](const FacePoint& point) { return Reference(face).At(point); });
-  std::vector<Vec3> x(xi.size());
-  MapForward(mesh_, face.element, xi, x);
-  ManyBehind many;
-  many.behind.resize(xi.size());
-  FindBehind(locator_, face, xi, x, many.behind);
-  std::set<ElementFace> different;
-  for (const BehindFace& at : many.behind)
-  {
-    many.faces.push_back(at.verdict == Verdict::Inside ? FaceAt(at.element, at.xi) : ElementFace{});
-    different.insert(many.faces.back());
-  }
-  many.isNested = different.size() == 1 && different.begin()->element >= 0;
-  return many;
-}
-
 void JumpFinder::AddMany(const ElementFace& face, FaceJumps& found) const
 {
-  const ManyBehind& many = *ManyOf(face);
+  const ManyBehind& many = *Many.Of(face);
   const int order = FieldOrder + mesh_.map.SpaceOf(face.element).MaxOrder();
   const FacePlaces& places = Places.GaussOf(Reference(face).corners, order);
   // A part that two faces share counts on the face that lies in the other, else on the first.
@@ -349,7 +278,7 @@ void JumpFinder::AddMany(const ElementFace& face, FaceJumps& found) const
     {
       continue;
     }
-    const ManyBehind* const other = ManyOf(many.faces[i]);
+    const ManyBehind* const other = Many.Of(many.faces[i]);
     const bool isOtherNested = other != nullptr && other->isNested;
     if (many.isNested != isOtherNested ? many.isNested : face.element < at.element)
     {

@@ -66,6 +66,7 @@ _RANKS: dict[str, Callable[[int], int]] = {
 _CALLABLE = "grad div curl laplacian hessian sym eig tensor vorticity strain Q lambda2 vonMises jump".split()
 _NAMED_RANKS = {
     **dict.fromkeys("x y z t time pi element order detJ scaledJacobian".split(), 0),
+    **dict.fromkeys("attribute elementSize minDetJ minScaledJacobian".split(), 0),
     **dict.fromkeys("coords xi n normal".split(), 1),
 }
 

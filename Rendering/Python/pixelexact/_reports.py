@@ -150,8 +150,8 @@ def info(grid: Input, **options: Any) -> Info:
     """Facts of a mesh and its fields: the program's `info`.
 
     grid: as of figure. options: those of the program's info, with underscores: certify=True,
-    extremes="u", jumps="u", norms=["u", "mag(grad(u))"], warp_limit="u", time_step=3. Numbers that
-    are not finite are None. Raises Error, with the program's words, for what it refuses, and where
+    extremes="u", jumps="u", norms=["u", "mag(grad(u))"], warp_limit="u", time_step=3; with norms,
+    with_="other.vtu" adds a series and its slopes. Numbers that are not finite are None. Raises Error, with the program's words, for what it refuses, and where
     there is no program.
     """
     report, _ = run_tool("info", "info", grid, words_of(options))
@@ -163,13 +163,14 @@ class Comparison(dict[str, Any]):
     `compare --json` states it.
 
     rows: a dictionary for each setting (seconds, triangles, missing and invented pixels, errors) or,
-    with several solutions, for each solution. page: the path of report.html, which shows and
+    with several solutions, for each solution, or, with time_step="all", for each step. page: the path of report.html, which shows and
     explains them; None where solutions are compared, which gives pictures.
     """
 
     @property
     def rows(self) -> list[dict[str, Any]]:
-        found: list[dict[str, Any]] = self.get("settings") or self.get("solutions") or []
+        kinds = ("settings", "solutions", "steps")
+        found: list[dict[str, Any]] = next((self[kind] for kind in kinds if kind in self), [])
         return found
 
     @property
@@ -192,7 +193,8 @@ def compare(
     grid, field: as of figure. output: the folder of the report, or the picture of one difference;
     None: as the program names it, in the current folder. options: those of the program's compare,
     with underscores: plane="z=0.1", resolutions=[16, 32], target_error=1e-4, with_="other.vtu", or
-    with_=[["other.mesh", "u.gf"], ["another.vtu"]] for files of several solutions. Raises Error, with
+    with_=[["other.mesh", "u.gf"], ["another.vtu"]] for files of several solutions, and with_ and
+    time_step="all" for each step. Raises Error, with
     the program's words, for what it refuses, and where there is no program.
     """
     words = words_of({"field": field, **options, "output": output})

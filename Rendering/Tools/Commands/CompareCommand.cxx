@@ -222,6 +222,12 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
     CompareSolutions(options.shot, options.difference, options.trade.Output(), common);
     return;
   }
+  if (options.shot.input.allSteps)
+  {
+    throw UsageError(
+      "--time-step all: linear pictures are compared at one step, of which info names "
+      "the times; give its number, or another solution with --with");
+  }
   if (options.quality.Stride() > 1 || options.shot.input.truncateOrder)
   {
     throw UsageError(std::string(options.quality.Stride() > 1 ? "--stride" : "--truncate-order") +
@@ -297,6 +303,7 @@ void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& a
     "Measure what linear pictures of a cut cost and miss, beside exact ones; writes a report; or, "
     "--with other solutions, how far these are from INPUT, pixel by pixel",
     [options, &common, &action] { action = [options, &common] { Compare(*options, common); }; });
+  options->shot.input.mayBeAll = true;
   options->shot.AddTo(command);
   options->contours.AddTo(command);
   options->trade.AddTo(command);

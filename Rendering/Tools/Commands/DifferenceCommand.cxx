@@ -5,6 +5,7 @@
 #include "Base/FileOrPipe.h"
 #include "Base/Output.h"
 #include "Base/Report.h"
+#include "Drawing/Plot.h"
 #include "Picture/PictureFile.h"
 #include "Scene/Shot.h"
 #include "Trade/Convergence.h"
@@ -20,6 +21,7 @@
 #include <array>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace pixelexact
 {
@@ -176,6 +178,121 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
 }
+/// The difference at a time step of INPUT.
+struct StepDifference
+{
+  int step = 0;
+  double time = 0.0;
+  DifferenceNumbers numbers;
+};
+
+std::string ToCsv(const std::vector<StepDifference>& steps)
+{
+  std::string text = "step,time,largest,l2,mean,relative_l2,largest_bound,both,only_first,"
+                     "only_second,unknown,not_finite,unbounded\n";
+  for (const auto& [step, time, numbers] : steps)
+  {
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step, time, numbers.largest,
+      numbers.rootMeanSquare, numbers.mean,
+      numbers.firstRootMeanSquare > 0.0
+        ? fmt::to_string(numbers.rootMeanSquare / numbers.firstRootMeanSquare)
+        : "",
+      numbers.largestBound, numbers.both, numbers.onlyFirst, numbers.onlySecond, numbers.unknown,
+      numbers.notFinite, numbers.unbounded);
+  }
+  return text;
+}
+
+Plot PlotOf(const std::vector<StepDifference>& steps)
+{
+  constexpr std::array kNumbers{ std::pair{ "largest", &DifferenceNumbers::largest },
+    std::pair{ "L2", &DifferenceNumbers::rootMeanSquare },
+    std::pair{ "mean", &DifferenceNumbers::mean } };
+  Plot plot;
+  plot.title = "Differences over the pixels";
+  plot.across = "time";
+  plot.up = "difference";
+  for (const auto& [name, number] : kNumbers)
+  {
+    Plot::Series series{ name, SeriesColor(plot.series.size()), {} };
+    series.points.reserve(steps.size());
+    for (const StepDifference& one : steps)
+    {
+      series.points.push_back({ one.time, one.numbers.*number, {} });
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+/// Compares INPUT with one other solution at each of INPUT's time steps. The other one's step has
+/// the same number, unless one is given.
+void CompareSteps(const ShotOptions& shot, const DifferenceOptions& difference,
+  const std::string& output, const CommonOptions& common)
+{
+  const std::size_t count = ReadTimes(shot.input).size();
+  if (count == 0)
+  {
+    throw Error("--time-step all: '" + shot.input.files[0] + "' has no time steps; leave it out");
+  }
+  const std::filesystem::path folder =
+    MakeOutputFolder(output, shot.input.files.front(), "-series");
+  Stopwatch stopwatch;
+  RepeatedCommand command{ common.words, {} };
+  std::vector<StepDifference> steps;
+  Table table;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    ShotOptions asked = OfPicture(shot, difference);
+    asked.input.allSteps = false;
+    asked.input.step = static_cast<int>(k);
+    const Shot prepared = Prepare(asked, stopwatch);
+    RequireField(prepared);
+    command.chosen = prepared.chosen;
+    InputRequest request = difference.Requests(asked.input).front();
+    request.step = request.step || request.time ? request.step : asked.input.step;
+    const OtherSolution other = LoadOther(request, difference.FieldName(), prepared, stopwatch);
+    FieldDifference found = TraceDifferenceOf(asked.colors, prepared, other);
+    steps.push_back({ prepared.input.step, TimeOf(prepared.input), NumbersOf(found) });
+    const DifferenceNumbers& numbers = steps.back().numbers;
+    WarnOf(numbers, other.name);
+    const DifferencePicture drawn(asked, prepared, other.field->name, found);
+    const std::string picture = (folder / fmt::format("difference-{}.png", k)).string();
+    WriteBytes(picture,
+      drawn.Encode(difference, TextsOf(prepared, asked.input, request, numbers, command), picture));
+    table.Row(fmt::format("step {}", steps.back().step),
+      "time {}: largest {}, mean {}, L2 {}, each off by {} at most", Short(steps.back().time),
+      Short(numbers.largest), Short(numbers.mean), Short(numbers.rootMeanSquare),
+      Short(numbers.largestBound, 3));
+    stopwatch.Stage("compare");
+  }
+  WriteBytes((folder / "over_time.csv").string(), ToCsv(steps));
+  const std::string plot = (folder / "over_time.png").string();
+  WriteBytes(plot,
+    EncodeImage({ kPlotWidth, kPlotHeight, 3, PlotOf(steps).Draw(kPlotWidth, kPlotHeight) },
+      PictureFormat::Png, {}, plot));
+  stopwatch.Stage("write");
+  Note("written to '" + folder.string() + "'");
+  if (!common.json)
+  {
+    AddStages(table, stopwatch);
+    if (!command.chosen.empty())
+    {
+      table.Row("repeat", command.Text());
+    }
+    table.Print();
+    return;
+  }
+  nlohmann::ordered_json summary{ { "folder", folder.string() } };
+  for (const auto& [step, time, numbers] : steps)
+  {
+    summary["steps"].push_back(
+      { { "step", step }, { "time", time }, { "pixels", ToJson(numbers) } });
+  }
+  summary["command"] = command.Words();
+  summary["seconds"] = ToJson(stopwatch);
+  Print(summary);
+}
 } // namespace
 
 void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
@@ -196,7 +313,15 @@ void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
     throw UsageError("--range field: a difference is no field of a mesh; choose symmetric, cut, "
                      "percentages or a,b");
   }
-  (difference.Requests(shot.input).size() > 1 ? CompareSeries : CompareTwo)(
-    shot, difference, output, common);
+  const bool isSeries = difference.Requests(shot.input).size() > 1;
+  if (shot.input.allSteps && (isSeries || !difference.BufferFile().empty()))
+  {
+    throw UsageError(isSeries
+        ? "--time-step all: give --with once, or the number of one step"
+        : "--buffers: there are several differences; give the number of one --time-step");
+  }
+  (shot.input.allSteps ? CompareSteps
+      : isSeries       ? CompareSeries
+                       : CompareTwo)(shot, difference, output, common);
 }
 } // namespace pixelexact

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Command.h"
 #include "Base/Numbers.h"
-#include "Base/Output.h"
 #include "Base/Report.h"
-#include "Commands/CertifiedFacts.h"
-#include "Commands/ExtremeFacts.h"
-#include "Commands/JumpFacts.h"
-#include "Commands/NormFacts.h"
-#include "Commands/WarpFacts.h"
-#include "Input/Input.h"
+#include "Commands/RequestedFacts.h"
 #include "Input/OrderCounts.h"
 #include "Input/SolverFacts.h"
 #include "Input/StoredOrder.h"
@@ -37,13 +31,7 @@ namespace
 struct InfoOptions
 {
   InputRequest input;
-  bool certify = false;
-  std::vector<std::string> certified;   ///< fields and expressions; none: all fields
-  std::vector<std::string> extremes;    ///< fields and expressions
-  std::vector<std::string> jumps;       ///< fields and expressions
-  std::vector<std::string> norms;       ///< fields and expressions
-  std::string normTable;                ///< file; empty: none
-  std::optional<WarpRequest> warpLimit; ///< the displacement of which a limit is sought
+  FactRequests requests;
 };
 
 struct FieldFacts
@@ -67,11 +55,7 @@ struct Facts
   std::optional<Slab> slab;           ///< of a plane mesh
   std::size_t coefficientBytes = 0;   ///< of the geometry and all fields
   SolverFacts solver;
-  std::optional<CertifiedFacts> certified; ///< on request
-  std::optional<ExtremeFacts> extremes;    ///< on request
-  std::optional<JumpFacts> jumps;          ///< on request
-  std::optional<NormFacts> norms;          ///< on request
-  std::optional<WarpFacts> warp;           ///< on request
+  RequestedFacts requested;
 };
 
 std::int64_t CountNonFinite(const Expansion& expansion)
@@ -249,26 +233,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     name.clear();
   }
   AddTo(table, facts.solver);
-  if (facts.certified)
-  {
-    AddTo(table, *facts.certified);
-  }
-  if (facts.extremes)
-  {
-    AddTo(table, input, *facts.extremes);
-  }
-  if (facts.jumps)
-  {
-    AddTo(table, *facts.jumps);
-  }
-  if (facts.norms)
-  {
-    AddTo(table, input, *facts.norms);
-  }
-  if (facts.warp)
-  {
-    AddTo(table, *facts.warp);
-  }
+  AddTo(table, input, facts.requested);
   table.Row(
     "coefficients", input.converted ? "made from the file's nodal values" : "as in the file");
   table.Print();
@@ -294,11 +259,11 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
       { "largest_jump", one.continuity.largestJump },
       { "non_finite_elements", one.nonFiniteElements } };
     AddTo(field, one.ranges);
-    if (facts.certified)
+    if (facts.requested.certified)
     {
-      const auto found =
-        std::ranges::find(facts.certified->fields, one.field->name, &CertifiedField::name);
-      if (found != facts.certified->fields.end())
+      const auto found = std::ranges::find(
+        facts.requested.certified->fields, one.field->name, &CertifiedField::name);
+      if (found != facts.requested.certified->fields.end())
       {
         field["certified"] = ToJson(*found);
       }
@@ -319,26 +284,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     summary["slab"] = { { "z", facts.slab->middle }, { "thickness", facts.slab->thickness } };
   }
   AddTo(summary, facts.solver);
-  if (facts.certified)
-  {
-    AddTo(summary, *facts.certified);
-  }
-  if (facts.extremes)
-  {
-    AddTo(summary, input, *facts.extremes);
-  }
-  if (facts.jumps)
-  {
-    AddTo(summary, *facts.jumps);
-  }
-  if (facts.norms)
-  {
-    AddTo(summary, input, *facts.norms);
-  }
-  if (facts.warp)
-  {
-    AddTo(summary, *facts.warp);
-  }
+  AddTo(summary, input, facts.requested);
   AddTime(summary, input);
   summary.update({ { "times", input.times }, { "converted", input.converted },
     { "coefficient_bytes", facts.coefficientBytes }, { "diagnostics", input.diagnostics } });
@@ -347,43 +293,11 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
 
 void Info(const InfoOptions& options, const CommonOptions& common)
 {
-  if (!options.input.warpDirection.empty() && !options.input.warp && !options.warpLimit)
-  {
-    throw UsageError("--warp-direction has no effect without --warp or --warp-limit; leave it out");
-  }
-  if (!options.normTable.empty())
-  {
-    CheckStandardOutput({ options.normTable }, common.json);
-    CheckOutput("--norms-table", options.normTable, options.input.files);
-  }
+  options.requests.Check(options.input, common.json);
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, {}, stopwatch);
   Facts facts = Gather(input);
-  if (options.certify)
-  {
-    facts.certified = Certify(input, options.certified);
-  }
-  if (!options.extremes.empty())
-  {
-    facts.extremes = FindExtremeFacts(input, options.extremes);
-  }
-  if (!options.jumps.empty())
-  {
-    facts.jumps = FindJumpFacts(input, options.jumps);
-  }
-  if (!options.norms.empty())
-  {
-    facts.norms = FindNormFacts(input, options.norms);
-    if (!options.normTable.empty())
-    {
-      WriteNorms(options.normTable, input, *facts.norms);
-    }
-  }
-  if (options.warpLimit)
-  {
-    facts.warp =
-      FindWarpFacts(input, options.input, options.warpLimit->field, options.warpLimit->scale < 0.0);
-  }
+  facts.requested = options.requests.Find(input, options.input);
   if (common.json)
   {
     PrintJson(input, facts);
@@ -401,16 +315,6 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
     "Tell what a mesh file holds, and between which values its fields are, to a thousandth",
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
   options->input.AddTo(command);
-  Bind(command, "--certify", options->certify);
-  Bind(
-    command, "--field", [options](const std::string& name) { options->certified.push_back(name); });
-  Bind(command, "--extremes",
-    [options](const std::string& name) { options->extremes.push_back(name); });
-  Bind(command, "--jumps", [options](const std::string& name) { options->jumps.push_back(name); });
-  Bind(command, "--norms", [options](const std::string& name) { options->norms.push_back(name); });
-  Bind(command, "--norms-table", options->normTable);
-  Bind(command, "--warp-limit",
-    [options](const std::string& text)
-    { ReadWarp("--warp-limit", text, options->warpLimit.emplace()); });
+  options->requests.AddTo(command);
 }
 } // namespace pixelexact

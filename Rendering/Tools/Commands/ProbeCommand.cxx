@@ -6,7 +6,7 @@
 #include "Commands/ProbeReport.h"
 #include "Commands/ProbeTable.h"
 #include "Commands/ValuePlots.h"
-#include "Input/Input.h"
+#include "Input/OtherInputs.h"
 #include "Scene/Model.h"
 
 #include "Conversion/ConvertedGrid.h"
@@ -39,12 +39,14 @@ struct ProbeOptions
   std::string output = "-";
   ProbeColumns columns;
   PlotOptions plot;
+  OtherInputs with;
 };
 
 /// The fields to evaluate; none where the input has none. Points are then only located and their
-/// coverage counted.
-std::vector<const Field*> FieldsToProbe(
-  const HighOrderModel& model, const ProbeOptions& options, const std::vector<std::string>& names)
+/// coverage counted. `input`: the name of one of several inputs, whose field may have another name;
+/// empty: there is one input.
+std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const ProbeOptions& options,
+  const std::vector<std::string>& names, const std::string& input)
 {
   if (!names.empty())
   {
@@ -52,7 +54,8 @@ std::vector<const Field*> FieldsToProbe(
     fields.reserve(names.size());
     for (const std::string& name : names)
     {
-      fields.push_back(&model.GetField(name));
+      fields.push_back(
+        input.empty() ? &model.GetField(name) : &FieldNamedOrOnly(model, name, input));
     }
     return fields;
   }
@@ -130,7 +133,8 @@ void AddZ(const ProbeOptions& options, const LoadedModel& input, GivenPoints& gi
 
 /// Locates the points and evaluates each field. Without fields, one entry with locations only.
 std::vector<ProbedField> ProbeFields(const LoadedModel& input,
-  const std::vector<const Field*>& fields, const ProbePoints& points, const ProbeColumns& columns)
+  const std::vector<const Field*>& fields, const std::vector<std::string>& names,
+  const ProbePoints& points, const ProbeColumns& columns)
 {
   const Locator& locator = input.model->GetLocator();
   std::vector<ProbedField> probed;
@@ -140,8 +144,8 @@ std::vector<ProbedField> ProbeFields(const LoadedModel& input,
     ProbeColumns own = columns;
     own.owners = own.owners && k == 0;
     const int components = field != nullptr ? field->values.components : 0;
-    probed.push_back({ fields.size() > 1 ? field->name : "value",
-      ProbeSamples(points.x.size(), components, own) });
+    probed.push_back(
+      { fields.size() > 1 ? names[k] : "value", ProbeSamples(points.x.size(), components, own) });
     Sample(locator, field, points.x, probed.back().samples.Target());
   }
   return probed;
@@ -149,14 +153,15 @@ std::vector<ProbedField> ProbeFields(const LoadedModel& input,
 
 /// Evaluates the fields of one time step.
 ProbedStep ProbeStep(const LoadedModel& input, const std::vector<const Field*>& fields,
-  const ProbePoints& points, const ProbeOptions& options, Stopwatch& stopwatch)
+  const std::vector<std::string>& names, const ProbePoints& points, const ProbeOptions& options,
+  Stopwatch& stopwatch)
 {
   const Locator& locator = input.model->GetLocator();
   stopwatch.Stage("bounds+bvh");
   ProbedStep step;
   step.step = input.step;
   step.time = TimeOf(input);
-  step.fields = ProbeFields(input, fields, points, options.columns);
+  step.fields = ProbeFields(input, fields, names, points, options.columns);
   stopwatch.Stage("probe");
   if (options.columns.owners)
   {
@@ -175,13 +180,77 @@ bool HaveSameColumns(const ProbedStep& a, const ProbedStep& b)
     { return one.samples.components == other.samples.components; });
 }
 
+/// The points and results of a run, which grow input by input and step by step.
+struct ProbeRun
+{
+  GivenPoints given;
+  std::vector<std::string> names; ///< of the fields
+  std::vector<ProbedStep> steps;
+  std::vector<nlohmann::ordered_json> summaries;
+  Table table;
+};
+
+/// Probes one input at one time step. `name`: as FieldsToProbe.
+void ProbeInput(const LoadedModel& input, const std::string& name, const ProbeOptions& options,
+  bool json, Stopwatch& stopwatch, ProbeRun& run)
+{
+  if (options.columns.gradient)
+  {
+    input.model->RequireSolids("--gradient");
+  }
+  if (run.steps.empty() || run.steps.back().input != name)
+  {
+    WarnOfDiagnostics(input);
+  }
+  if (run.steps.empty())
+  {
+    AddZ(options, input, run.given);
+  }
+  const std::vector<const Field*> fields = FieldsToProbe(*input.model, options, run.names, name);
+  if (run.names.empty() && !fields.empty())
+  {
+    run.names.push_back(fields.front()->name);
+  }
+  run.steps.push_back(ProbeStep(input, fields, run.names, run.given.points, options, stopwatch));
+  ProbedStep& step = run.steps.back();
+  step.input = name;
+  if (!HaveSameColumns(run.steps.front(), step))
+  {
+    throw Error(name.empty()
+        ? fmt::format(
+            "--time-step all: the fields of step {} differ from those of step {} in their "
+            "components; probe them one by one",
+            step.step, run.steps.front().step)
+        : fmt::format(
+            "--with '{}': the fields differ from those of '{}' in their components; probe "
+            "them one by one",
+            name, run.steps.front().input));
+  }
+  if (json)
+  {
+    run.summaries.push_back(ProbeJson(input, fields, step.fields, options.columns));
+    if (!name.empty())
+    {
+      run.summaries.back()["solution"] = name;
+    }
+    return;
+  }
+  if (!name.empty())
+  {
+    run.table.Row("solution", name);
+  }
+  AddTo(run.table, input, fields, step.fields, options.columns);
+}
+
 void Probe(const ProbeOptions& options, const CommonOptions& common)
 {
   if (options.points.empty() && options.line.empty())
   {
     throw UsageError("no points were given; name a table of them, --points, or a line, --line");
   }
-  std::vector<std::string> read = options.input.files;
+  const std::vector<InputRequest> requests = options.with.RequestsAfter(options.input);
+  std::vector<std::string> read = options.with.Files();
+  read.insert(read.end(), options.input.files.begin(), options.input.files.end());
   read.push_back(options.points);
   CheckOutput("--output", options.output, read);
   CheckTableName(options.output);
@@ -189,66 +258,39 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   CheckStandardOutput({ options.output, options.plot.Name() }, common.json);
   Stopwatch stopwatch;
   // Reads the points first, because this is fast and often fails.
-  GivenPoints given = PointsOf(options);
+  ProbeRun run{ PointsOf(options), options.fields, {}, {}, {} };
   stopwatch.Stage("points");
-  std::vector<std::string> names = options.fields;
-  std::vector<ProbedStep> steps;
-  std::vector<nlohmann::ordered_json> summaries;
-  Table table;
-  ForEachStep(options.input, options.fields.size() == 1 ? options.fields.front() : std::string(),
-    stopwatch,
-    [&](const LoadedModel& input)
-    {
-      if (options.columns.gradient)
-      {
-        input.model->RequireSolids("--gradient");
-      }
-      if (steps.empty())
-      {
-        WarnOfDiagnostics(input);
-        AddZ(options, input, given);
-      }
-      const std::vector<const Field*> fields = FieldsToProbe(*input.model, options, names);
-      if (names.empty() && !fields.empty())
-      {
-        names.push_back(fields.front()->name);
-      }
-      steps.push_back(ProbeStep(input, fields, given.points, options, stopwatch));
-      const ProbedStep& step = steps.back();
-      if (!HaveSameColumns(steps.front(), step))
-      {
-        throw Error(fmt::format("--time-step all: the fields of step {} differ from those of step "
-                                "{} in their components; probe them one by one",
-          step.step, steps.front().step));
-      }
-      if (common.json)
-      {
-        summaries.push_back(ProbeJson(input, fields, step.fields, options.columns));
-        return;
-      }
-      AddTo(table, input, fields, step.fields, options.columns);
-    });
-  WriteProbeTable(options.output, given.points, steps, options.input.allSteps);
+  const std::vector<std::string> inputs =
+    requests.size() > 1 ? NamesOfInputs(requests) : std::vector<std::string>{ "" };
+  // The other inputs may have their field under another name; then all fields are loaded.
+  const bool needsAll = options.fields.size() != 1 || requests.size() > 1;
+  for (std::size_t k = 0; k < requests.size(); ++k)
+  {
+    ForEachStep(requests[k], needsAll ? std::string() : options.fields.front(), stopwatch,
+      [&](const LoadedModel& input)
+      { ProbeInput(input, inputs[k], options, common.json, stopwatch, run); });
+  }
+  WriteProbeTable(options.output, run.given.points, run.steps, options.input.allSteps);
   if (options.plot.IsAsked())
   {
-    Plot plot = PlotOfProbe(given.points, steps);
-    if (names.size() == 1 && plot.up.starts_with("value"))
+    Plot plot = PlotOfProbe(run.given.points, run.steps);
+    if (run.names.size() == 1 && plot.up.starts_with("value"))
     {
-      plot.up = names.front();
+      plot.up = run.names.front();
     }
     options.plot.Write(std::move(plot));
   }
   stopwatch.Stage("write");
   if (!common.json)
   {
-    AddStages(table, stopwatch);
-    table.Print(IsStandardStream(options.output));
+    AddStages(run.table, stopwatch);
+    run.table.Print(IsStandardStream(options.output));
     return;
   }
-  nlohmann::ordered_json summary = summaries.front();
-  if (options.input.allSteps)
+  nlohmann::ordered_json summary = run.summaries.front();
+  if (options.input.allSteps || requests.size() > 1)
   {
-    summary = { { "steps", summaries } };
+    summary = { { options.input.allSteps ? "steps" : "solutions", run.summaries } };
   }
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
@@ -302,5 +344,6 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
   Bind(command, "--enclosures", options->columns.enclosures);
   Bind(command, "--owners", options->columns.owners);
   options->plot.AddTo(command);
+  options->with.AddTo(command);
 }
 } // namespace pixelexact

@@ -84,15 +84,15 @@ void AppendValues(std::string& line, const ProbeSamples& samples, std::size_t po
   }
 }
 
-/// A row per point; `time`: its first columns.
+/// A row per point; `begin`: its first columns.
 void WriteRows(
-  std::ostream& stream, const std::string& time, const ProbePoints& points, const ProbedStep& step)
+  std::ostream& stream, const std::string& begin, const ProbePoints& points, const ProbedStep& step)
 {
   const ProbeSamples& first = step.fields.front().samples;
   std::string line;
   for (std::size_t i = 0; i < points.x.size(); ++i)
   {
-    line = time;
+    line = begin;
     AppendNumbers(line, std::array{ points.x[i].x, points.x[i].y, points.x[i].z });
     AppendNumbers(line, Entries(points.distance, i, 1));
     for (const ProbedField& field : step.fields)
@@ -161,16 +161,17 @@ void WriteProbeTable(const std::string& file, const ProbePoints& points,
 {
   OutputFile output(file);
   std::ostream& stream = output.Stream();
-  stream << Header(points, steps.front().fields, withTime);
+  stream << (steps.front().input.empty() ? "" : "solution,")
+         << Header(points, steps.front().fields, withTime);
   for (const ProbedStep& step : steps)
   {
-    std::string time;
+    std::string first = step.input.empty() ? "" : CsvField(step.input) + ',';
     if (withTime)
     {
-      time = std::to_string(step.step) + ',';
-      AppendNumbers(time, std::array{ step.time });
+      first += std::to_string(step.step) + ',';
+      AppendNumbers(first, std::array{ step.time });
     }
-    WriteRows(stream, time, points, step);
+    WriteRows(stream, first, points, step);
   }
   output.Close();
 }

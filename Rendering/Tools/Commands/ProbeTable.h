@@ -69,9 +69,10 @@ struct ProbedField
   ProbeSamples samples;
 };
 
-/// The results of a time step.
+/// The results of a time step of an input.
 struct ProbedStep
 {
+  std::string input; ///< its name; empty: there is one input
   int step = 0;
   double time = 0.0;
   std::vector<ProbedField> fields; ///< at least one entry
@@ -79,8 +80,9 @@ struct ProbedStep
 };
 
 /// Writes a row per point, step by step. Locations and coverage are those of the first field. There
-/// must be at least one step, and all must have the same columns. `withTime`: the columns `step`
-/// and `time` precede the others. Throws Error naming the file.
+/// must be at least one step, and all must have the same columns. Where there are several inputs,
+/// the column `solution` is the first one. `withTime`: the columns `step` and `time` precede the
+/// others. Throws Error naming the file.
 void WriteProbeTable(const std::string& file, const ProbePoints& points,
   std::span<const ProbedStep> steps, bool withTime);
 

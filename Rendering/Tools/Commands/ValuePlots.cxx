@@ -27,13 +27,6 @@ void CheckCount(const Plot& plot, const char* remedy)
   }
 }
 
-/// A name that fits into the legend.
-std::string Shortened(const std::string& name)
-{
-  constexpr std::size_t kMaxName = 16;
-  return name.size() <= kMaxName ? name : name.substr(0, kMaxName - 3) + "...";
-}
-
 std::string ColumnName(const ProbedField& field, std::size_t component)
 {
   return field.samples.components == 1 ? field.name : fmt::format("{}_{}", field.name, component);
@@ -42,6 +35,24 @@ std::string ColumnName(const ProbedField& field, std::size_t component)
 double ValueOf(const ProbedField& field, std::size_t point, std::size_t component)
 {
   return field.samples.value[point * field.samples.components + component];
+}
+
+/// The name of a series of a step: the field's, the input's where there are several, and the time
+/// where the input has several steps.
+std::string NameOfStep(
+  const std::string& field, const ProbedStep& step, const std::vector<ProbedStep>& steps)
+{
+  const auto isOther = [&step](const ProbedStep& other)
+  { return other.input == step.input && other.step != step.step; };
+  std::string name = field;
+  if (!step.input.empty())
+  {
+    name = step.fields.size() > 1 || step.fields.front().samples.components > 1
+      ? name + ", " + step.input
+      : step.input;
+  }
+  return std::ranges::any_of(steps, isOther) ? fmt::format("{}, t={}", name, Short(step.time, 4))
+                                             : name;
 }
 
 Plot AlongLine(const ProbePoints& points, const std::vector<ProbedStep>& steps)
@@ -54,12 +65,9 @@ Plot AlongLine(const ProbePoints& points, const std::vector<ProbedStep>& steps)
     {
       for (std::size_t c = 0; c < field.samples.components; ++c)
       {
-        Plot::Series series{ Shortened(ColumnName(field, c)), SeriesColor(plot.series.size()), {},
-          true, false, false };
-        if (steps.size() > 1)
-        {
-          series.name += fmt::format(", t={}", Short(step.time, 4));
-        }
+        Plot::Series series{ ColumnName(field, c), SeriesColor(plot.series.size()), {}, true, false,
+          false };
+        series.name = NameOfStep(series.name, step, steps);
         for (std::size_t k = 0; k < points.x.size(); ++k)
         {
           series.points.push_back({ points.distance[k], ValueOf(field, k, c), {} });
@@ -68,23 +76,26 @@ Plot AlongLine(const ProbePoints& points, const std::vector<ProbedStep>& steps)
       }
     }
   }
-  CheckCount(plot, "name fewer fields, or one --time-step");
+  CheckCount(plot, "name fewer fields or inputs, or one --time-step");
   return plot;
 }
 
-Plot OverTime(const ProbePoints& points, const std::vector<ProbedStep>& steps)
+/// Adds the series of one input's steps.
+void AddOverTime(const ProbePoints& points, std::span<const ProbedStep> steps, Plot& plot)
 {
-  Plot plot;
-  plot.across = "time";
   const std::vector<ProbedField>& fields = steps.front().fields;
+  const std::string input = steps.front().input.empty() ? "" : ", " + steps.front().input;
+  const bool isAlone = fields.size() == 1 && fields.front().samples.components == 1;
   for (std::size_t k = 0; k < points.x.size(); ++k)
   {
     for (std::size_t f = 0; f < fields.size(); ++f)
     {
       for (std::size_t c = 0; c < fields[f].samples.components; ++c)
       {
-        Plot::Series series{ Shortened(fmt::format("{}, {}", ColumnName(fields[f], c), k)),
+        Plot::Series series{ fmt::format("{}point {}{}",
+                               isAlone ? "" : ColumnName(fields[f], c) + ", ", k, input),
           SeriesColor(plot.series.size()), {}, true, false, true };
+        series.points.reserve(steps.size());
         for (const ProbedStep& step : steps)
         {
           series.points.push_back({ step.time, ValueOf(step.fields[f], k, c), {} });
@@ -93,6 +104,19 @@ Plot OverTime(const ProbePoints& points, const std::vector<ProbedStep>& steps)
         CheckCount(plot, "give fewer points");
       }
     }
+  }
+}
+
+Plot OverTime(const ProbePoints& points, const std::vector<ProbedStep>& steps)
+{
+  Plot plot;
+  plot.across = "time";
+  for (auto from = steps.begin(); from != steps.end();)
+  {
+    const auto to = std::find_if(
+      from, steps.end(), [&](const ProbedStep& step) { return step.input != from->input; });
+    AddOverTime(points, { from, to }, plot);
+    from = to;
   }
   return plot;
 }
@@ -124,7 +148,7 @@ void PlotOptions::Write(Plot plot) const
 Plot PlotOfProbe(const ProbePoints& points, const std::vector<ProbedStep>& steps)
 {
   const bool isLine = !points.distance.empty();
-  if (!isLine && steps.size() < 2)
+  if (!isLine && steps.front().step == steps.back().step)
   {
     throw Error(
       "--plot: the points are on no line and at one time; give --line, or --time-step all");
@@ -179,8 +203,7 @@ Plot PlotOfRows(
       const auto [at, isNew] = numbers.try_emplace({ timed.surface, row.quantity }, numbers.size());
       if (isNew)
       {
-        plot.series.push_back(
-          { Shortened(row.quantity), SeriesColor(at->second), {}, true, false });
+        plot.series.push_back({ row.quantity, SeriesColor(at->second), {}, true, false });
       }
       plot.series[at->second].points.push_back({ timed.time, row.Middle(), {} });
     }
@@ -193,8 +216,7 @@ Plot PlotOfRows(
   const bool areSeveral = all.front().surface != all.back().surface;
   for (const auto& [key, number] : numbers)
   {
-    plot.series[number].name =
-      areSeveral ? Shortened(key.first.substr(2)) : plot.series[number].name;
+    plot.series[number].name = areSeveral ? key.first.substr(2) : plot.series[number].name;
   }
   if (plot.series.size() == 1)
   {

@@ -156,11 +156,16 @@ void DrawBars(Canvas& canvas, const std::vector<Plot::Bar>& bars, const Scale& x
 
 void Plot::DrawOn(Canvas& canvas, int width, int height, int font) const
 {
-  const bool hasLegend =
-    std::ranges::any_of(series, [](const Series& one) { return !one.name.empty(); });
+  // The legend's names have the room that they need, up to a third of the picture.
+  double room = 0.0;
+  for (const Series& one : series)
+  {
+    room = one.name.empty() ? room : std::max({ room, 7.0 * font, canvas.WidthOf(one.name) });
+  }
+  room = std::min(room, std::max(7.0 * font, width / 3.0));
   const int left = 7 * font;
   const int bottom = 4 * font;
-  const int right = width - (hasLegend ? 10 : 2) * font;
+  const int right = width - (room > 0.0 ? 3 * font + static_cast<int>(room) : 2 * font);
   const int top = height - 5 * font;
   Scale x(left, right, logarithmic[0]);
   Scale y(bottom, top, logarithmic[1]);
@@ -217,7 +222,8 @@ void Plot::DrawOn(Canvas& canvas, int width, int height, int font) const
     {
       canvas.Line({ right + 1.0 * font, row }, { right + 2.0 * font, row }, one.dashed ? 1.0 : 4.0,
         one.color);
-      canvas.Write(one.name, right + 2.5 * font, row, TextAnchor::Left, kInk);
+      canvas.Write(
+        canvas.Shortened(one.name, room), right + 2.5 * font, row, TextAnchor::Left, kInk);
       row -= 1.7 * font;
     }
   }

@@ -16,14 +16,7 @@ namespace pixelexact
 {
 namespace
 {
-/// A row's point on logarithmic axes.
-struct Place
-{
-  double step;
-  double error;
-};
-
-double Slope(const Place& a, const Place& b)
+double Slope(const SeriesError& a, const SeriesError& b)
 {
   return std::log(b.error / a.error) / std::log(b.step / a.step);
 }
@@ -49,36 +42,42 @@ std::string Number(double value)
 }
 } // namespace
 
-Convergence::Convergence(std::vector<SeriesRow> rows)
-  : rows_(std::move(rows))
+SeriesAxis AxisOf(std::span<const SolutionSize> sizes)
 {
-  const auto& orders = rows_.front().size.orders;
+  const auto& orders = sizes.front().orders;
   const bool sameOrder = orders[0] == orders[1] &&
     std::ranges::all_of(
-      rows_, [&orders](const SeriesRow& row) { return row.size.orders == orders; });
-  axis_ = sameOrder ? SeriesAxis::Length : SeriesAxis::Modes;
-  std::ranges::stable_sort(
-    rows_, std::greater(), [this](const SeriesRow& row) { return Step(row); });
+      sizes, [&orders](const SolutionSize& size) { return size.orders == orders; });
+  return sameOrder ? SeriesAxis::Length : SeriesAxis::Modes;
 }
 
-double Convergence::Step(const SeriesRow& row) const
+double StepOf(const SolutionSize& size, SeriesAxis axis)
 {
-  return axis_ == SeriesAxis::Length
-    ? row.size.length
-    : std::pow(static_cast<double>(row.size.modes), -1.0 / row.size.dimensions);
+  return axis == SeriesAxis::Length
+    ? size.length
+    : std::pow(static_cast<double>(size.modes), -1.0 / size.dimensions);
 }
 
-std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error) const
+double PlaceOf(const SolutionSize& size, SeriesAxis axis)
 {
-  std::vector<Place> places;
-  for (const SeriesRow& row : rows_)
+  return axis == SeriesAxis::Length ? size.length : static_cast<double>(size.modes);
+}
+
+const char* NameOf(SeriesAxis axis)
+{
+  return axis == SeriesAxis::Length ? "edge of an element over that of the mesh"
+                                    : "modes of a component, summed over the elements";
+}
+
+std::optional<SeriesOrder> OrderOfErrors(std::span<const SeriesError> errors)
+{
+  std::vector<SeriesError> places;
+  for (const SeriesError& one : errors)
   {
-    const double value = row.numbers.*error;
-    const double step = Step(row);
     // Errors below the bound mean nothing, and equal steps give no slope.
-    if (value > row.numbers.largestBound && (places.empty() || step < places.back().step))
+    if (one.error > one.bound && (places.empty() || one.step < places.back().step))
     {
-      places.push_back({ step, value });
+      places.push_back(one);
     }
   }
   if (places.size() < 2)
@@ -87,14 +86,14 @@ std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error
   }
   double x = 0.0;
   double y = 0.0;
-  for (const Place& place : places)
+  for (const SeriesError& place : places)
   {
     x += std::log(place.step) / static_cast<double>(places.size());
     y += std::log(place.error) / static_cast<double>(places.size());
   }
   double above = 0.0;
   double below = 0.0;
-  for (const Place& place : places)
+  for (const SeriesError& place : places)
   {
     const double off = std::log(place.step) - x;
     above += off * (std::log(place.error) - y);
@@ -104,21 +103,39 @@ std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error
     static_cast<int>(places.size()) };
 }
 
+Convergence::Convergence(std::vector<SeriesRow> rows)
+  : rows_(std::move(rows))
+{
+  std::vector<SolutionSize> sizes(rows_.size());
+  std::ranges::transform(rows_, sizes.begin(), &SeriesRow::size);
+  axis_ = AxisOf(sizes);
+  std::ranges::stable_sort(
+    rows_, std::greater(), [this](const SeriesRow& row) { return StepOf(row.size, axis_); });
+}
+
+SeriesError Convergence::ErrorOf(const SeriesRow& row, double DifferenceNumbers::*error) const
+{
+  return { StepOf(row.size, axis_), row.numbers.*error, row.numbers.largestBound };
+}
+
+std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error) const
+{
+  std::vector<SeriesError> errors(rows_.size());
+  std::ranges::transform(
+    rows_, errors.begin(), [&](const SeriesRow& row) { return ErrorOf(row, error); });
+  return OrderOfErrors(errors);
+}
+
 std::optional<double> Convergence::StepOrder(std::size_t row) const
 {
   if (row == 0)
   {
     return std::nullopt;
   }
-  const auto place = [this](const SeriesRow& of) {
-    return Place{ Step(of), of.numbers.rootMeanSquare };
-  };
-  const Place before = place(rows_[row - 1]);
-  const Place here = place(rows_[row]);
-  const bool known = here.step < before.step &&
-    before.error > rows_[row - 1].numbers.largestBound &&
-    here.error > rows_[row].numbers.largestBound;
-  return known ? std::optional(Slope(before, here)) : std::nullopt;
+  const std::array errors{ ErrorOf(rows_[row - 1], &DifferenceNumbers::rootMeanSquare),
+    ErrorOf(rows_[row], &DifferenceNumbers::rootMeanSquare) };
+  const auto order = OrderOfErrors(errors);
+  return order ? std::optional(order->last) : std::nullopt;
 }
 
 std::string Convergence::ToCsv() const
@@ -161,15 +178,12 @@ nlohmann::ordered_json Convergence::ToJson() const
 std::vector<std::uint8_t> Convergence::Draw(
   const std::string& reference, int width, int height) const
 {
-  const bool overLength = axis_ == SeriesAxis::Length;
   Plot plot;
   plot.logarithmic = { true, true };
   plot.title = "Differences from " + reference + " over the pixels";
   plot.up = "difference; order of convergence in the legend";
-  plot.across = overLength ? "edge of an element over that of the mesh"
-                           : "modes of a component, summed over the elements";
-  const auto at = [&](const SeriesRow& row)
-  { return overLength ? row.size.length : static_cast<double>(row.size.modes); };
+  plot.across = NameOf(axis_);
+  const auto at = [this](const SeriesRow& row) { return PlaceOf(row.size, axis_); };
   for (const auto& [name, error, color] : kErrors)
   {
     const auto order = OrderOf(error);

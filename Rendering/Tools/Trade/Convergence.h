@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,23 @@ enum class SeriesAxis
   Modes   ///< their number: if orders differ
 };
 
+/// Whether all solutions have the same order, one in all elements, or not.
+SeriesAxis AxisOf(std::span<const SolutionSize> sizes);
+/// The step that errors are compared over: h, or N^(-1/d).
+double StepOf(const SolutionSize& size, SeriesAxis axis);
+/// The place of a solution in plots: h, or N.
+double PlaceOf(const SolutionSize& size, SeriesAxis axis);
+/// The name of that axis.
+const char* NameOf(SeriesAxis axis);
+
+/// An error of a solution, which is known up to `bound`.
+struct SeriesError
+{
+  double step = 0.0;
+  double error = 0.0;
+  double bound = 0.0;
+};
+
 /// The order of convergence of one error. Over a length h it is the slope of log error over log h;
 /// over N modes in d dimensions that over log N^(-1/d), so that both are p + 1 for smooth fields on
 /// meshes that are refined.
@@ -39,6 +57,9 @@ struct SeriesOrder
   double last = 0.0;    ///< between the two finest
   int solutions = 0;    ///< number of solutions used
 };
+
+/// The order of errors from coarse to fine, over those above their bound; none for fewer than two.
+[[nodiscard]] std::optional<SeriesOrder> OrderOfErrors(std::span<const SeriesError> errors);
 
 /// A series from coarse to fine.
 class Convergence
@@ -65,8 +86,7 @@ public:
     const std::string& reference, int width, int height) const;
 
 private:
-  /// The step of a row: h, or N^(-1/d).
-  [[nodiscard]] double Step(const SeriesRow& row) const;
+  [[nodiscard]] SeriesError ErrorOf(const SeriesRow& row, double DifferenceNumbers::*error) const;
 
   std::vector<SeriesRow> rows_;
   SeriesAxis axis_ = SeriesAxis::Modes;

@@ -4,6 +4,7 @@
 #include "Base/Command.h"
 #include "Base/Numbers.h"
 #include "Base/Settings.h"
+#include "Input/OtherInputs.h"
 
 #include <algorithm>
 #include <array>
@@ -69,22 +70,13 @@ void DifferenceOptions::Check(const CLI::App& command, const ImageSize& size) co
 
 std::vector<InputRequest> DifferenceOptions::Requests(const InputRequest& first) const
 {
-  std::vector<InputRequest> requests;
-  for (const std::vector<std::string>& files : Groups)
+  std::vector<InputRequest> requests = RequestsWith(first, Groups);
+  for (InputRequest& request : requests)
   {
-    InputRequest request = first;
+    request.allSteps = false;
     request.step = Step;
     request.time = Time;
-    request.files = files;
     request.truncateOrder.reset();
-    if (std::ranges::all_of(files, HoldsFieldsAlone))
-    {
-      request.files.clear();
-      std::ranges::copy_if(first.files, std::back_inserter(request.files),
-        [](const std::string& file) { return !HoldsFieldsAlone(file); });
-      request.files.insert(request.files.end(), files.begin(), files.end());
-    }
-    requests.push_back(std::move(request));
   }
   return requests;
 }
