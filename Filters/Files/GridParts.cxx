@@ -33,16 +33,17 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// The highest of its cells; 0: there is none.
-int DimensionOf(vtkUnstructuredGrid* grid)
+/// The highest dimension of its cells, up to `limit`; 0: there is none.
+int DimensionOf(vtkUnstructuredGrid* grid, int limit)
 {
   // Cell by cell: what VTK has for the types that there are differs between its versions.
   int highest = 0;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && highest < 3; ++cell)
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && highest < limit; ++cell)
   {
     const int dimension = CellDimension(grid->GetCellType(cell));
     // The converter reports unknown types.
-    highest = std::max(highest, dimension < 0 ? 3 : dimension);
+    const int counted = dimension < 0 ? 3 : dimension;
+    highest = counted <= limit ? std::max(highest, counted) : highest;
   }
   return highest;
 }
@@ -207,16 +208,20 @@ std::vector<ReadPart> ReadFiles(const std::vector<GridPart>& files, std::int64_t
   return read;
 }
 
-/// Keeps the volumes among parts, or where there is none the plane ones.
-void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>& notes)
+/// Keeps the volumes among parts, or where there is none, or with `surfaces`, the parts with
+/// surface elements.
+void KeepHighestDimension(
+  std::vector<ReadPart>& parts, bool surfaces, std::vector<std::string>& notes)
 {
   std::vector<int> dimensions(parts.size());
-  std::ranges::transform(
-    parts, dimensions.begin(), [](const ReadPart& part) { return DimensionOf(part.grid); });
+  std::ranges::transform(parts, dimensions.begin(),
+    [surfaces](const ReadPart& part) { return DimensionOf(part.grid, surfaces ? 2 : 3); });
   const int highest = *std::ranges::max_element(dimensions);
   if (highest < 2 && parts.size() > 1)
   {
-    throw Error(CannotRead(parts.front().file) + "it holds no volume and no plane mesh");
+    throw Error(CannotRead(parts.front().file) +
+      (surfaces ? "it holds no surface elements; leave out --surface-elements"
+                : "it holds no volume and no plane mesh"));
   }
   std::vector<ReadPart> kept;
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -230,8 +235,10 @@ void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>
       const bool isPiece = std::ranges::count(parts, parts[i].number, &ReadPart::number) > 1;
       AddOnce(notes,
         std::string(isPiece ? "a piece of '" : "'") + parts[i].file.file +
-          (highest == 3 ? "' holds no volume and is left out."
-                        : "' holds nothing of two dimensions and is left out."));
+          (highest < 3             ? "' holds nothing of two dimensions and is left out."
+              : dimensions[i] == 2 ? "' holds no volume and is left out; --surface-elements reads "
+                                     "the surfaces in place of the volumes."
+                                   : "' holds no volume and is left out."));
     }
   }
   parts = std::move(kept);
@@ -265,10 +272,10 @@ Grid PutTogether(
   return IsPacked(grid) ? Unpack(grid) : grid;
 }
 
-Grid ReadWhole(const std::vector<GridPart>& files, std::vector<std::string>& notes)
+Grid ReadWhole(const std::vector<GridPart>& files, bool surfaces, std::vector<std::string>& notes)
 {
   auto parts = ReadFiles(files, 0, static_cast<std::int64_t>(files.size()), notes);
-  KeepHighestDimension(parts, notes);
+  KeepHighestDimension(parts, surfaces, notes);
   DropReplacedParts(parts, notes);
   DropSharedCells(parts, notes);
   PieceCounts counts;
@@ -293,13 +300,13 @@ void NoteRepeatedLabels(const std::vector<GridPart>& files, std::vector<std::str
 }
 
 /// Reads the share of one of several processes in a single file.
-ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
+ReadGrid ReadShare(const GridPart& file, const PieceOf& share, bool surfaces)
 {
   ReadGrid result;
   std::string problem;
   try
   {
-    const Grid whole = ReadWhole({ file }, result.notes);
+    const Grid whole = ReadWhole({ file }, surfaces, result.notes);
     const auto [begin, end] = share.Of(whole->GetNumberOfCells());
     std::vector<vtkIdType> cells(static_cast<std::size_t>(end - begin));
     std::iota(cells.begin(), cells.end(), begin);
@@ -318,18 +325,18 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
 }
 } // namespace
 
-ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
+ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share, bool surfaces)
 {
   ReadGrid result;
   const auto files = ListFiles(parts, result.notes);
   if (share.IsWhole())
   {
-    result.grid = ReadWhole(files, result.notes);
+    result.grid = ReadWhole(files, surfaces, result.notes);
     return result;
   }
   if (files.size() == 1)
   {
-    return ReadShare(files[0], share);
+    return ReadShare(files[0], share, surfaces);
   }
   NoteRepeatedLabels(files, result.notes);
   PieceCounts counts{ static_cast<int>(files.size()), {} };
@@ -361,7 +368,7 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
       }
       else
       {
-        KeepHighestDimension(read, result.notes);
+        KeepHighestDimension(read, surfaces, result.notes);
       }
     });
   if (processes != nullptr)
