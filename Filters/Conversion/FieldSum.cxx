@@ -84,7 +84,7 @@ private:
     const char* const first = Text.data() + (Peek() == kEnd ? Text.size() : At);
     const auto [end, failure] = std::from_chars(first, Text.data() + Text.size(), number);
     const bool isNumber =
-      failure == std::errc() && std::isdigit(static_cast<unsigned char>(*first));
+      failure == std::errc() && (std::isdigit(static_cast<unsigned char>(*first)) || *first == '.');
     At = isNumber ? static_cast<std::size_t>(end - Text.data()) : begin;
     if (!isNumber || (isInBrackets && !Skip(')')))
     {

@@ -248,8 +248,7 @@ std::vector<std::string> DiagnoseMesh(
     {
       lines.push_back("'" + std::string(array->GetName()) +
         "' holds values at quadrature points, which are not read: vtkQuadraturePointsGenerator "
-        "makes "
-        "points with these values");
+        "makes points with these values");
     }
   }
   if (mesh.SkippedSurfaces() > 0)

@@ -12,7 +12,6 @@
 #include "Parts/PartExchange.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -20,11 +19,8 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <numeric>
 #include <set>
-#include <string_view>
 #include <utility>
 
 namespace pixelexact
@@ -62,53 +58,6 @@ Names ArrayNames(vtkUnstructuredGrid* grid)
   add("point", grid->GetPointData());
   add("cell", grid->GetCellData());
   return names;
-}
-
-/// Adds the arrays of rational weights and degrees to parts that lack them, so that they are kept.
-/// The defaults mean ordinary cells: weights are 1, and degrees of 0 follow from the points.
-void FillCellKinds(const std::vector<Grid>& grids)
-{
-  constexpr std::array kKinds{ vtkDataSetAttributes::RATIONALWEIGHTS,
-    vtkDataSetAttributes::HIGHERORDERDEGREES };
-  for (const int kind : kKinds)
-  {
-    const bool isOfPoints = kind == vtkDataSetAttributes::RATIONALWEIGHTS;
-    const auto dataOf = [isOfPoints](vtkUnstructuredGrid* grid) -> vtkDataSetAttributes*
-    {
-      return isOfPoints ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
-                        : grid->GetCellData();
-    };
-    const auto arrayOf = [&](vtkUnstructuredGrid* grid)
-    { return vtkDataArray::SafeDownCast(dataOf(grid)->GetAbstractAttribute(kind)); };
-    const auto like = std::ranges::max_element(grids, {},
-      [&](const Grid& grid)
-      { return arrayOf(grid) != nullptr ? arrayOf(grid)->GetDataTypeSize() : 0; });
-    const vtkSmartPointer<vtkDataArray> model = arrayOf(*like);
-    for (const Grid& grid : grids)
-    {
-      const vtkSmartPointer<vtkDataArray> own = arrayOf(grid);
-      if (model == nullptr ||
-        (own != nullptr && own->GetDataType() == model->GetDataType() &&
-          std::string_view(own->GetName()) == model->GetName()))
-      {
-        continue;
-      }
-      const auto array = vtk::TakeSmartPointer(model->NewInstance());
-      if (own != nullptr)
-      {
-        array->DeepCopy(own);
-        dataOf(grid)->RemoveArray(own->GetName());
-      }
-      else
-      {
-        array->SetNumberOfComponents(model->GetNumberOfComponents());
-        array->SetNumberOfTuples(isOfPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells());
-        array->Fill(isOfPoints ? 1.0 : 0.0);
-      }
-      array->SetName(model->GetName());
-      dataOf(grid)->SetAttribute(array, kind);
-    }
-  }
 }
 
 Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
@@ -299,6 +248,24 @@ void NoteRepeatedLabels(const std::vector<GridPart>& files, std::vector<std::str
   }
 }
 
+/// The numbers of the cells that become elements: all of a grid with coefficients, else those of
+/// the highest dimension, or with `surfaces` of two dimensions.
+std::vector<vtkIdType> ElementCellsOf(vtkUnstructuredGrid* grid, bool surfaces)
+{
+  std::vector<vtkIdType> cells;
+  const bool areAll = HasHighOrderArrays(grid);
+  const int wanted = areAll ? 0 : DimensionOf(grid, surfaces ? 2 : 3);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int dimension = areAll ? 0 : CellDimension(grid->GetCellType(cell));
+    if ((dimension < 0 ? 3 : dimension) == wanted)
+    {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
 /// Reads the share of one of several processes in a single file.
 ReadGrid ReadShare(const GridPart& file, const PieceOf& share, bool surfaces)
 {
@@ -307,13 +274,13 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share, bool surfaces)
   try
   {
     const Grid whole = ReadWhole({ file }, surfaces, result.notes);
-    const auto [begin, end] = share.Of(whole->GetNumberOfCells());
-    std::vector<vtkIdType> cells(static_cast<std::size_t>(end - begin));
-    std::iota(cells.begin(), cells.end(), begin);
+    const std::vector<vtkIdType> all = ElementCellsOf(whole, surfaces);
+    const auto [begin, end] = share.Of(std::ssize(all));
+    const std::vector<vtkIdType> cells(all.begin() + begin, all.begin() + end);
     result.grid = KeepCells(whole, cells);
-    if (!HasHighOrderArrays(result.grid) && end > begin)
+    for (std::size_t i = 0; i < cells.size() && !HasHighOrderArrays(result.grid); ++i)
     {
-      NumberCells(result.grid, 0, end - begin, begin);
+      NumberCells(result.grid, static_cast<vtkIdType>(i), static_cast<vtkIdType>(i + 1), cells[i]);
     }
   }
   catch (const std::exception& error)
@@ -360,6 +327,8 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share, boo
     {
       const auto [begin, end] = share.Of(static_cast<std::int64_t>(files.size()));
       read = ReadFiles(files, begin, end, result.notes);
+      std::erase_if(read,
+        [surfaces](const ReadPart& part) { return surfaces && DimensionOf(part.grid, 2) < 2; });
       const bool idle = std::ranges::all_of(
         read, [](const ReadPart& part) { return part.grid->GetNumberOfCells() == 0; });
       if (idle)

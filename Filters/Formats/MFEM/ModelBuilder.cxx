@@ -199,7 +199,8 @@ ModelBuilder::Source::Source(ModelBuilder& builder, const std::vector<GridFuncti
     const MeshFile& mesh = builder.Pieces[p].file;
     const auto isTensor = [](const Cell& cell)
     { return cell.geometry == Geometry::Square || cell.geometry == Geometry::Cube; };
-    RequirePoints(files[p], std::ranges::all_of(mesh.elements, isTensor), names[p]);
+    RequirePoints(
+      files[p], !builder.Nurbs && std::ranges::all_of(mesh.elements, isTensor), names[p]);
     static const Topology nothing;
     spaces.emplace_back(mesh, HasShared(collection) ? builder.EntitiesOf(p) : nothing, collection);
     const auto values = static_cast<std::int64_t>(files[p].values.size());

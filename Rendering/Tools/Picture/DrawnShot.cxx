@@ -232,16 +232,18 @@ void DrawnShot::DrawOn(Canvas& canvas) const
   canvas.MoveOrigin(corner[0], corner[1]);
   canvas.Place(Options.shot.colors.Flatten(Pixels));
   Over.Draw(canvas, Pixels.width, Pixels.height);
-  canvas.Clip(Pixels.width, Pixels.height);
   if (found_.dots)
   {
+    canvas.Clip(Pixels.width, Pixels.height);
     FieldDots::Draw(canvas, *found_.dots, Pixels.height);
+    canvas.Unclip();
   }
   if (found_.arrows)
   {
+    canvas.Clip(Pixels.width, Pixels.height);
     Options.arrows.Draw(canvas, *found_.arrows);
+    canvas.Unclip();
   }
-  canvas.Unclip();
   if (Of.layout && Options.marks.IsAsked())
   {
     ExtremeMarks::Draw(canvas, Of, Pixels, Extremes, Of.layout->font);

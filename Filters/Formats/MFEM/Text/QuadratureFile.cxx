@@ -58,14 +58,13 @@ std::string CollectionOf(const GridFunctionFile& file, int dimension)
     : "L2_" + std::to_string(dimension) + "D_P" + std::to_string(file.quadraturePoints - 1);
 }
 
-void RequirePoints(const GridFunctionFile& file, bool isTensor, const std::string& name)
+void RequirePoints(const GridFunctionFile& file, bool areRead, const std::string& name)
 {
-  if (file.quadraturePoints != 0 && !isTensor)
+  if (file.quadraturePoints != 0 && !areRead)
   {
     throw UnreadQuadrature(name +
-      ": quadrature functions are read on quadrilaterals and hexahedra, where the polynomial "
-      "through their values is known, and the mesh has other elements; project the function to L2 "
-      "and save that.");
+      ": quadrature functions are read on quadrilaterals and hexahedra that are no NURBS, and the "
+      "mesh has other elements; project the function to L2 and save that.");
   }
 }
 

@@ -30,9 +30,9 @@ public:
 /// function.
 [[nodiscard]] std::string CollectionOf(const GridFunctionFile& file, int dimension);
 
-/// Throws UnreadQuadrature for a quadrature function on other shapes than quadrilaterals and
-/// hexahedra, which are `isTensor`. `name`: of its file.
-void RequirePoints(const GridFunctionFile& file, bool isTensor, const std::string& name);
+/// Throws UnreadQuadrature for a quadrature function where `areRead` is false: on other shapes than
+/// quadrilaterals and hexahedra, and on NURBS, whose elements may be divided. `name`: of its file.
+void RequirePoints(const GridFunctionFile& file, bool areRead, const std::string& name);
 
 /// What a quadrature function is, for people: "values at 4 Gauss-Legendre points in each
 /// direction".
