@@ -206,9 +206,9 @@ TEST_F(MfemPieces, RootFilesNameTheirCycle)
   }
   const SolverModel elements = mfem::ReadRootFile(root);
   ASSERT_EQ(elements.fields.size(), 2U);
-  EXPECT_EQ(elements.fields[1].name, "q");
-  EXPECT_EQ(ValueAt(elements, 1, 0, Vec3(0.0))[0], 7.0);
-  EXPECT_EQ(ValueAt(elements, 1, 1, Vec3(0.0))[0], 8.0);
+  EXPECT_EQ(elements.fields[0].name, "q");
+  EXPECT_EQ(ValueAt(elements, 0, 0, Vec3(0.0))[0], 7.0);
+  EXPECT_EQ(ValueAt(elements, 0, 1, Vec3(0.0))[0], 8.0);
   EXPECT_TRUE(elements.notes.empty());
   fs::remove(In("run_000002/u.000001"));
   ExpectRefusal([&] { mfem::ReadRootFile(root); }, { "u.000001 is missing" });

@@ -2,6 +2,7 @@
 """Solvers' own files on the command line."""
 
 import gzip
+import json
 import unittest
 
 import numpy as np
@@ -180,6 +181,7 @@ vertices
 2 0
 2.5 1.25
 """
+TRIANGLES = SQUARES.replace("1 3 0 1 2 3", "1 2 0 1 2").replace("1 3 1 4 5 2", "1 2 1 4 5")
 CUBE_OF_MFEM = """MFEM mesh v1.0
 
 dimension
@@ -287,12 +289,28 @@ class QuadratureFunctions(ToolTest):
                           files[1].read_text(encoding="utf-8"), encoding="utf-8")
         self.assertEqual(self.summary("info", stream)["fields"][0]["name"], "solution")
 
+    def test_a_collection(self):
+        """Quadrature functions that are not read are left out of it."""
+        files, _ = self.squares(3)
+        root, folder = self.folder / "run_0.mfem_root", self.folder / "run_0"
+        folder.mkdir()
+        root.write_text(json.dumps({"dsets": {"main": {
+            "cycle": 0, "time": 0.5, "time_step": 0.5, "domains": 1,
+            "mesh": {"path": "run_0/mesh.%06d", "tags": {}},
+            "fields": {"q": {"path": "run_0/q.%06d", "tags": {"assoc": "elements", "comps": "1"}}}}}}),
+            encoding="utf-8")
+        (folder / "q.000000").write_bytes(files[1].read_bytes())
+        for mesh, fields in ((SQUARES, ["q"]), (TRIANGLES, [])):
+            (folder / "mesh.000000").write_text(mesh, encoding="utf-8")
+            found = self.succeeds("info", root)
+            self.assertEqual([field["name"] for field in self.summary("info", root)["fields"]], fields)
+            self.assertEqual("It is left out" in found.stderr, not fields)
+
     def test_what_is_refused(self):
         files, _ = self.squares(3)
         mesh, q = files[:2]
         triangle = self.folder / "t.mesh"
-        text = SQUARES.replace("1 3 0 1 2 3", "1 2 0 1 2").replace("1 3 1 4 5 2", "1 2 1 4 5")
-        triangle.write_text(text, encoding="utf-8")
+        triangle.write_text(TRIANGLES, encoding="utf-8")
         self.fails(1, "info", triangle, q, names=["q.gf", "quadrilaterals and hexahedra", "project the function to L2"])
         alone = self.folder / "q.000000"
         alone.write_bytes(q.read_bytes())

@@ -434,7 +434,8 @@ class MixedFiles(ShellTest):
         blocks = [(7, "SHELL4", [[0, 1, 2, 3]]), (8, "SHELL4", [[1, 4, 5, 2]])]
         blocks += [(3, "HEX8", [list(range(6, 14))])] if solids else []
         path = self.folder / f"shells{solids}.e"
-        path.write_bytes(exodus(points, blocks, [("u", [float(p[0]) for p in points])], [("t", {7: [3.0], 8: [5.0]})]))
+        path.write_bytes(exodus(points, blocks, [("u", [float(p[0]) for p in points])], [("t", {7: [3.0], 8: [5.0]})],
+                                names=["web", "flange", "core"][:len(blocks)]))
         return path
 
     def test_exodus_shells(self):
@@ -449,7 +450,12 @@ class MixedFiles(ShellTest):
                 self.assertAlmostEqual(rows["Integral"]["value"], 1.5 * np.sqrt(2), delta=1e-9)
                 rows = self.integrals(file, "--field", "t", *chosen)
                 self.assertAlmostEqual(rows["Integral"]["value"], 8 * np.sqrt(2), delta=1e-9)
-        self.assertEqual(self.summary("info", self.shells())["shapes"], {"hexahedron": 1})
+        whole = self.summary("info", self.shells())
+        self.assertEqual(whole["shapes"], {"hexahedron": 1})
+        surfaces = self.summary("info", self.shells(), "--surface-elements")
+        self.assertEqual(surfaces["boundary_attributes"], {"7": 1, "8": 1})
+        self.assertEqual({group["name"]: group["boundary"] for group in surfaces["groups"] if group["id"] != 3},
+                         {"web": True, "flange": True})
 
     def test_without_surfaces(self):
         cube, mesh = self.folder / "cube.vtu", self.folder / "s.mesh"
