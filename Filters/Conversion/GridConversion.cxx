@@ -12,6 +12,7 @@
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -121,9 +122,14 @@ private:
 /// Attribute of a grid of Exodus II holds.
 std::vector<AttributedFace> FacesOfSurface(vtkUnstructuredGrid* grid, const SourceMesh& mesh)
 {
-  std::vector<AttributedFace> faces;
   auto* attribute = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Attribute"));
-  for (int e = 0; attribute != nullptr && e < mesh.Elements(); ++e)
+  if (attribute == nullptr)
+  {
+    return {};
+  }
+  std::vector<AttributedFace> faces;
+  faces.reserve(static_cast<std::size_t>(mesh.Elements()));
+  for (int e = 0; e < mesh.Elements(); ++e)
   {
     faces.push_back({ { e, ShellFace(mesh.Basis(e).GetSpace().shape) }, attribute->GetValue(e) });
   }

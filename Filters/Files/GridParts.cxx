@@ -278,9 +278,10 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share, bool surfaces)
     const auto [begin, end] = share.Of(std::ssize(all));
     const std::vector<vtkIdType> cells(all.begin() + begin, all.begin() + end);
     result.grid = KeepCells(whole, cells);
-    for (std::size_t i = 0; i < cells.size() && !HasHighOrderArrays(result.grid); ++i)
+    const bool areNumbered = HasHighOrderArrays(result.grid);
+    for (vtkIdType own = 0; !areNumbered && own < std::ssize(cells); ++own)
     {
-      NumberCells(result.grid, static_cast<vtkIdType>(i), static_cast<vtkIdType>(i + 1), cells[i]);
+      NumberCells(result.grid, own, own + 1, cells[static_cast<std::size_t>(own)]);
     }
   }
   catch (const std::exception& error)

@@ -264,6 +264,10 @@ class QuadratureFunctions(ToolTest):
         found = self.summary("render", *files, *options, "--dots", "--output", self.folder / "d.png")
         self.assertEqual(found["dots"], {"field": "q", "points": 18, "visible": 18})
         self.succeeds("render", *files, *options, "--output", self.folder / "e.png")
+        done = self.succeeds("render", *files, "--field", "q", "--dots", *view.options(), "--range", "1,2", "--output",
+                             self.folder / "f.png")
+        beyond = np.count_nonzero((values_at(*points.T) < 1) | (values_at(*points.T) > 2))
+        self.assertIn(f"{beyond} dots with values beyond the range", done.stderr)
         picture, plain = (read_image(self.folder / name) for name in ("d.png", "e.png"))
         for x, y in points:
             column, row = int(150 + (x - 1.25) / 0.9 * 100), int(100 + (y - 0.6) / 0.9 * 100)

@@ -174,7 +174,7 @@ DrawnShot::DrawnShot(
   }
   if (options.dots.IsAsked())
   {
-    found_.dots = options.dots.Find(shot, Pixels, Colors->Maps());
+    found_.dots = FieldDots::Find(shot, Pixels, *Colors);
   }
   if (options.marks.IsAsked())
   {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/FieldDots.h"
 
+#include "Base/Report.h"
 #include "Input/SolverFacts.h"
 #include "Picture/ExtremeMarks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Basis/LineFunctions.h"
 #include "Core/Location/Locator.h"
@@ -83,8 +86,7 @@ bool IsKept(const Scene& scene, const Vec3& x)
 }
 } // namespace
 
-FoundDots FieldDots::Find(
-  const Shot& shot, const Frame& frame, const std::vector<ColorMap>& maps) const
+FoundDots FieldDots::Find(const Shot& shot, const Frame& frame, const ShotAppearance& appearance)
 {
   const auto& layers = shot.scene.layers;
   const auto layer = std::ranges::find_if(layers,
@@ -101,7 +103,8 @@ FoundDots FieldDots::Find(
   const Field& field = *layer->field;
   const Mesh& mesh = shot.input.model->GetMesh();
   const Projection projection(shot.view, frame.width, frame.height);
-  const ColorMap& colors = maps[static_cast<std::size_t>(layer - layers.begin())];
+  const auto place = static_cast<std::size_t>(layer - layers.begin());
+  const ColorMap& colors = appearance.Maps()[place];
   FoundDots found;
   found.field = field.name;
   std::vector<std::pair<double, FoundDots::Dot>> dots;
@@ -134,6 +137,17 @@ FoundDots FieldDots::Find(
     }
   }
   std::ranges::stable_sort(dots, std::greater<>(), &std::pair<double, FoundDots::Dot>::first);
+  if (const ValueRange& range = appearance.Ranges()[place])
+  {
+    const auto beyond = std::ranges::count_if(dots,
+      [&range](const std::pair<double, FoundDots::Dot>& dot)
+      { return dot.second.value < (*range)[0] || dot.second.value > (*range)[1]; });
+    if (beyond > 0)
+    {
+      Note(Counted(beyond, "dot") +
+        " with values beyond the range of colours; --range field holds all values");
+    }
+  }
   found.dots.reserve(dots.size());
   for (const auto& [depth, dot] : dots)
   {

@@ -5,13 +5,14 @@
 #include "Drawing/Canvas.h"
 
 #include "Trace/Frame.h"
-#include "Trace/Modules/ColorMapping.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace pixelexact
 {
+class ShotAppearance;
 struct Shot;
 
 /// The dots of a picture: points of a quadrature function with its values.
@@ -39,10 +40,10 @@ public:
   /// The buffers of centres that Find reads.
   [[nodiscard]] Buffer Needs() const { return Asked ? Buffer::Depth : Buffer::None; }
 
-  /// The dots of the first layer that shows a quadrature function. `maps`: of the layers. Throws
-  /// Error where none does.
-  [[nodiscard]] FoundDots Find(
-    const Shot& shot, const Frame& frame, const std::vector<ColorMap>& maps) const;
+  /// The dots of the first layer that shows a quadrature function. A note counts those beyond the
+  /// layer's range. Throws Error where no layer does.
+  [[nodiscard]] static FoundDots Find(
+    const Shot& shot, const Frame& frame, const ShotAppearance& appearance);
   /// Draws the dots on the picture of this height, whose lower left corner is the canvas's origin.
   static void Draw(Canvas& canvas, const FoundDots& found, int height);
 
