@@ -19,6 +19,7 @@ vtkGmshReader::~vtkGmshReader() = default;
 void vtkGmshReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceElements: " << this->SurfaceElements << "\n";
   for (const auto& name : this->ViewFiles)
   {
     os << indent << "ViewFile: " << name << "\n";
@@ -66,5 +67,5 @@ SolverModel vtkGmshReader::ReadModel(int step, bool wantMesh)
 {
   std::size_t pieces = 1;
   const FileTexts texts(this->Files(pieces));
-  return gmsh::Read(texts.Named, step, wantMesh, pieces);
+  return gmsh::Read(texts.Named, step, wantMesh, pieces, this->SurfaceElements);
 }

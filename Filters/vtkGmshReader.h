@@ -30,6 +30,16 @@ public:
   void ClearViewFileNames();
   ///@}
 
+  ///@{
+  /**
+   * Whether the elements are the triangles and quadrilaterals of a file that has solids as well.
+   * Off by default. It is an error where there are none.
+   */
+  vtkSetMacro(SurfaceElements, bool);
+  vtkGetMacro(SurfaceElements, bool);
+  vtkBooleanMacro(SurfaceElements, bool);
+  ///@}
+
 protected:
   vtkGmshReader();
   ~vtkGmshReader() override;
@@ -46,6 +56,7 @@ private:
   std::vector<std::string> Files(std::size_t& pieces) const;
 
   std::vector<std::string> ViewFiles;
+  bool SurfaceElements = false;
 };
 
 #endif

@@ -74,6 +74,7 @@ void vtkHighOrderSeriesReader::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent.GetNextIndent() << name << "\n";
   }
+  os << indent << "SurfaceElements: " << this->SurfaceElements << "\n";
   os << indent << "Steps: " << this->Series->steps.size() << "\n";
   for (const auto& line : this->Diagnostics)
   {
@@ -167,7 +168,7 @@ int vtkHighOrderSeriesReader::RequestData(vtkInformation* /*request*/,
     {
       vtkInformation* asked = outputVector->GetInformationObject(0);
       const TimeStep& step = this->Series->StepAt(asked);
-      const auto read = ReadParts(step.parts, PieceAskedFor(asked));
+      const auto read = ReadParts(step.parts, PieceAskedFor(asked), this->SurfaceElements);
       output->ShallowCopy(read.grid);
       if (this->Series->timed)
       {

@@ -63,6 +63,16 @@ public:
 
   ///@{
   /**
+   * Whether parts with surface elements are kept in place of those with volumes. Off by default.
+   * The converter needs the same choice (vtkUnstructuredGridToHighOrderGrid::SetSurfaceElements).
+   */
+  vtkSetMacro(SurfaceElements, bool);
+  vtkGetMacro(SurfaceElements, bool);
+  vtkBooleanMacro(SurfaceElements, bool);
+  ///@}
+
+  ///@{
+  /**
    * Notes of the last execution: parts and arrays that were left out, and warnings of VTK's reader.
    */
   int GetNumberOfDiagnostics();
@@ -86,6 +96,7 @@ private:
 
   std::vector<std::string> FileNames;
   std::vector<std::string> Diagnostics;
+  bool SurfaceElements = false;
   std::unique_ptr<Internals> Series;
 };
 

@@ -38,6 +38,7 @@ void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "NodePlacement: "
      << (this->NodePlacement == GAUSS_LOBATTO ? "Gauss-Lobatto-Legendre\n" : "equispaced\n");
   os << indent << "MirroredWedges: " << this->MirroredWedges << "\n";
+  os << indent << "SurfaceElements: " << this->SurfaceElements << "\n";
   os << indent << "Diagnose: " << this->Diagnose << "\n";
   os << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n";
 }
@@ -118,7 +119,7 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
     }
     const auto report = ConvertGrid(input,
       { this->Fields.All(), this->Diagnose,
-        { this->NodePlacement == GAUSS_LOBATTO, this->MirroredWedges },
+        { this->NodePlacement == GAUSS_LOBATTO, this->MirroredWedges }, this->SurfaceElements,
         [this](double done) { this->UpdateProgress(done); } },
       *this->Kept, output);
     this->NumberOfSkippedCells = report.skippedCells;

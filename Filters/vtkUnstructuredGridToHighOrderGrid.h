@@ -108,6 +108,17 @@ public:
 
   ///@{
   /**
+   * Whether a grid of solids and surface elements (triangles, quadrilaterals) becomes one of its
+   * surface elements. Off by default: it becomes one of its solids, and a warning states how many
+   * surface elements are left out. It is an error where there are none.
+   */
+  vtkSetMacro(SurfaceElements, bool);
+  vtkGetMacro(SurfaceElements, bool);
+  vtkBooleanMacro(SurfaceElements, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to look for signs of a faulty file (mirrored wedges, warped nodes, inverted elements).
    * On by default.
    */
@@ -139,6 +150,7 @@ private:
   pixelexact::FieldSelection Fields{ this };
   int NodePlacement = EQUISPACED;
   bool MirroredWedges = false;
+  bool SurfaceElements = false;
   bool Diagnose = true;
   vtkIdType NumberOfSkippedCells = 0;
   std::map<std::string, int> NonFiniteElements;

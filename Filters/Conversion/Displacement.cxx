@@ -2,6 +2,7 @@
 #include "Conversion/Displacement.h"
 
 #include "Conversion/ConvertedGrid.h"
+#include "Conversion/FieldSum.h"
 #include "Core/Base/Error.h"
 #include "Grids/Continuity.h"
 #include "HighOrderArrays.h"
@@ -18,7 +19,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace pixelexact
 {
@@ -92,17 +95,9 @@ const char* NameOf(Mapping mapping)
                                         : "a density";
 }
 
-/// A field that is a polynomial of xi on each element.
-const Field& PolynomialField(
-  const HighOrderModel& model, vtkUnstructuredGrid* grid, const std::string& text)
+/// Throws Unsupported where a field is no polynomial of xi on each element.
+void RequirePolynomial(const Field& field, vtkUnstructuredGrid* grid, const std::string& text)
 {
-  const Field& field = model.GetField(Resolved(model, text));
-  if (field.function != nullptr)
-  {
-    Refuse(text,
-      "it is an expression, and not a polynomial of xi on each element; give a vector field, or "
-      "vec(u,v,w) of scalar fields.");
-  }
   if (field.mapping != Mapping::Identity)
   {
     Refuse(text,
@@ -119,7 +114,28 @@ const Field& PolynomialField(
       "it is a field of NURBS, which polynomials stand for up to an error that is not stored; "
       "project it to a continuous vector space (H1) in MFEM.");
   }
-  return field;
+}
+
+/// The sum of fields that a name or an expression is, each a polynomial of xi on each element.
+std::vector<Summand> SummandsOf(
+  const HighOrderModel& model, vtkUnstructuredGrid* grid, const std::string& text)
+{
+  const std::string resolved = Resolved(model, text);
+  const Field& field = model.GetField(resolved);
+  std::vector<Summand> sum =
+    field.function == nullptr ? std::vector{ Summand{ &field } } : SumOfFields(model, resolved);
+  if (sum.empty())
+  {
+    Refuse(text,
+      "it is an expression other than a sum of fields with numbers as factors, and no polynomial "
+      "of "
+      "xi on each element; give a vector field, or vec(u,v,w) of scalar fields.");
+  }
+  for (const Summand& summand : sum)
+  {
+    RequirePolynomial(*summand.field, grid, text);
+  }
+  return sum;
 }
 
 /// Refuses grids with rational Bezier cells, whose fields are rational, too.
@@ -165,23 +181,25 @@ std::vector<WarpTerm> TermsOfVec(
     {
       continue;
     }
-    const Field& field = PolynomialField(model, grid, arguments[c]);
-    if (field.values.components != 1)
+    for (const auto& [field, factor] : SummandsOf(model, grid, arguments[c]))
     {
-      throw InvalidData("the displacement vec(...) takes scalar fields, and '" + arguments[c] +
-        "' has " + Components(field) + "; name scalars, or the vector field alone.");
+      if (field->values.components != 1)
+      {
+        throw InvalidData("the displacement vec(...) takes scalar fields, and '" + arguments[c] +
+          "' has " + Components(*field) + "; name scalars, or the vector field alone.");
+      }
+      terms.push_back({ field, 0, factor * Axis(static_cast<int>(c)) });
     }
-    terms.push_back({ &field, 0, Axis(static_cast<int>(c)) });
   }
   return terms;
 }
 
-std::vector<WarpTerm> TermsOfScalar(
-  const Field& field, const std::optional<Vec3>& direction, bool isPlane)
+std::vector<WarpTerm> TermsOfScalar(const std::vector<Summand>& sum, const std::string& name,
+  const std::optional<Vec3>& direction, bool isPlane)
 {
   if (!direction)
   {
-    throw InvalidData("'" + field.name + "' is a scalar, and a displacement is a vector; give " +
+    throw InvalidData("'" + name + "' is a scalar, and a displacement is a vector; give " +
       (isPlane ? "a direction in the plane of the 2-D mesh (its z is 0), or vec(u,v)."
                : "the direction of its displacement, or vec(u,v,w)."));
   }
@@ -190,23 +208,32 @@ std::vector<WarpTerm> TermsOfScalar(
     throw InvalidData("the direction of the displacement is zero or not finite; give three finite "
                       "numbers that are not all 0.");
   }
-  return { { &field, 0, *direction } };
+  std::vector<WarpTerm> terms;
+  std::ranges::transform(sum, std::back_inserter(terms),
+    [&direction](const Summand& summand) {
+      return WarpTerm{ summand.field, 0, summand.factor * *direction };
+    });
+  return terms;
 }
 
-std::vector<WarpTerm> TermsOfVector(const Field& field, bool isPlane)
+std::vector<WarpTerm> TermsOfVector(
+  const std::vector<Summand>& sum, const std::string& name, bool isPlane)
 {
-  const int components = field.values.components;
+  const int components = sum.front().field->values.components;
   if (components != 3 && !(components == 2 && isPlane))
   {
-    throw InvalidData("'" + field.name + "' has " + Components(field) +
+    throw InvalidData("'" + name + "' has " + Components(*sum.front().field) +
       ", and a displacement of a " + (isPlane ? "2-D mesh has 2 or 3" : "3-D mesh has 3") +
       "; give a vector field, or vec(u,v,w) of scalar fields.");
   }
   std::vector<WarpTerm> terms;
-  terms.reserve(static_cast<std::size_t>(components));
-  for (int c = 0; c < components; ++c)
+  terms.reserve(sum.size() * static_cast<std::size_t>(components));
+  for (const auto& [field, factor] : sum)
   {
-    terms.push_back({ &field, c, Axis(c) });
+    for (int c = 0; c < components; ++c)
+    {
+      terms.push_back({ field, c, factor * Axis(c) });
+    }
   }
   return terms;
 }
@@ -229,8 +256,9 @@ bool IsZero(const WarpTerm& term)
 /// Leaves out terms along z that are zero, and refuses others.
 void KeepInPlane(std::vector<WarpTerm>& terms, const std::string& name)
 {
-  std::erase_if(
-    terms, [](const WarpTerm& term) { return term.direction == Axis(2) && IsZero(term); });
+  std::erase_if(terms,
+    [](const WarpTerm& term)
+    { return term.direction.x == 0.0 && term.direction.y == 0.0 && IsZero(term); });
   if (std::ranges::any_of(terms, [](const WarpTerm& term) { return term.direction.z != 0.0; }))
   {
     Refuse(name,
@@ -294,10 +322,10 @@ Displacement DisplacementOf(
   }
   else
   {
-    const Field& field = PolynomialField(model, grid, request.field);
-    isScalar = field.values.components == 1;
-    displacement.terms =
-      isScalar ? TermsOfScalar(field, request.direction, isPlane) : TermsOfVector(field, isPlane);
+    const std::vector<Summand> sum = SummandsOf(model, grid, request.field);
+    isScalar = sum.front().field->values.components == 1;
+    displacement.terms = isScalar ? TermsOfScalar(sum, request.field, request.direction, isPlane)
+                                  : TermsOfVector(sum, request.field, isPlane);
   }
   if (request.direction && !isScalar)
   {

@@ -22,9 +22,10 @@ struct Displacement
 };
 
 /// The displacement of a request, whose scale does not matter here. `grid` is that of the model.
-/// Throws InvalidData for fields that are not there or have the wrong number of components, and
-/// Unsupported, with the reason, for expressions, mapped, rational and discontinuous fields and for
-/// displacements out of the plane of a 2-D mesh.
+/// It may be a sum of fields with numbers as factors, as a complex field at a phase is. Throws
+/// InvalidData for fields that are not there or have the wrong number of components, and
+/// Unsupported, with the reason, for other expressions, mapped, rational and discontinuous fields
+/// and for displacements out of the plane of a 2-D mesh.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT Displacement DisplacementOf(
   const HighOrderModel& model, vtkUnstructuredGrid* grid, const WarpRequest& request);
 } // namespace pixelexact

@@ -8,12 +8,18 @@
 #include "ConversionLoss.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Core/Shape/ShapeFace.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkIntArray.h"
+#include "vtkQuadratureSchemeDefinition.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <tbb/blocked_range.h>
@@ -112,11 +118,30 @@ private:
   std::int64_t Placed = 0; ///< coefficients
 };
 
+/// The elements of a surface in space as faces with the cells' attributes, which the array
+/// Attribute of a grid of Exodus II holds.
+std::vector<AttributedFace> FacesOfSurface(vtkUnstructuredGrid* grid, const SourceMesh& mesh)
+{
+  auto* attribute = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Attribute"));
+  if (attribute == nullptr)
+  {
+    return {};
+  }
+  std::vector<AttributedFace> faces;
+  faces.reserve(static_cast<std::size_t>(mesh.Elements()));
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    faces.push_back({ { e, ShellFace(mesh.Basis(e).GetSpace().shape) }, attribute->GetValue(e) });
+  }
+  return faces;
+}
+
 /// Adds the mesh's coefficients to `grid`, whose cell e is element e of `mesh`.
 void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
 {
   MeshArrays arrays = ConvertMaps(mesh);
-  arrays.boundary = SourceFacesOf(grid, mesh);
+  const bool isSurface = mesh.GetSlab() && mesh.GetSlab()->inSpace;
+  arrays.boundary = isSurface ? FacesOfSurface(grid, mesh) : SourceFacesOf(grid, mesh);
   StoreMesh(grid, std::move(arrays), Origin::PointData);
   if (mesh.GetSlab())
   {
@@ -221,6 +246,23 @@ std::vector<std::string> DiagnoseMesh(
     add(DiagnoseJacobian(model.GetMesh(), model.SourceCells(), mesh.GetSlab().has_value()));
   }
   add(DiagnoseSameCells(grid));
+  for (int i = 0; i < grid->GetFieldData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = grid->GetFieldData()->GetAbstractArray(i);
+    if (array->GetName() != nullptr && array->HasInformation() &&
+      array->GetInformation()->Has(vtkQuadratureSchemeDefinition::QUADRATURE_OFFSET_ARRAY_NAME()))
+    {
+      lines.push_back("'" + std::string(array->GetName()) +
+        "' holds values at quadrature points, which are not read: vtkQuadraturePointsGenerator "
+        "makes points with these values");
+    }
+  }
+  if (mesh.SkippedSurfaces() > 0)
+  {
+    lines.push_back(Counted(mesh.SkippedSurfaces(), "surface element") +
+      " beside the solids: left out; SetSurfaceElements (--surface-elements) reads the surfaces in "
+      "place of the solids");
+  }
   if (mesh.RationalElements() > 0)
   {
     lines.push_back(DescribeRationals(mesh));
@@ -282,7 +324,7 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
     throw StaleData(
       "the coefficients that a reader gave the grid were lost on the way" + RemedyOf(input));
   }
-  const SourceMesh mesh(input, options.nodes);
+  const SourceMesh mesh(input, options.nodes, options.surfaces);
   ConversionReport report;
   report.skippedCells = mesh.SkippedCells();
   progress(0.1);

@@ -25,6 +25,7 @@ struct ConversionOptions
   std::vector<std::string> fields;      ///< names of arrays to convert; none: all (SelectFields)
   bool diagnose = true;                 ///< look for signs of a faulty file
   NodeConvention nodes;                 ///< of the grid's Lagrange cells
+  bool surfaces = false;                ///< two-dimensional cells, also where there are solids
   std::function<void(double)> progress; ///< may be empty; called from the calling thread
 };
 
@@ -35,10 +36,11 @@ struct ConversionReport
   std::vector<std::string> diagnostics; ///< lines for the user
 };
 
-/// Makes `output` a grid of the input's three-dimensional cells or, where it has none, its plane
-/// ones (bases-and-kernels.md), with their coefficients and those of its fields, made from points
-/// and nodal values; the mesh is taken from `kept` where that has it, and kept there for the next
-/// time step. Parallel. Throws Error naming the cell or array; the output is then undefined.
+/// Makes `output` a grid of the input's three-dimensional cells or, where it has none or they are
+/// chosen, its two-dimensional ones (bases-and-kernels.md), with their coefficients and those of
+/// its fields, made from points and nodal values; the mesh is taken from `kept` where that has it,
+/// and kept there for the next time step. Parallel. Throws Error naming the cell or array; the
+/// output is then undefined.
 ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
   KeptMesh& kept, vtkUnstructuredGrid* output);
 

@@ -12,8 +12,11 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationQuadratureSchemeDefinitionVectorKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkQuadratureSchemeDefinition.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -24,6 +27,13 @@ namespace pixelexact
 {
 namespace
 {
+/// Whether an array states where the values at a cell's quadrature points begin.
+bool IsQuadratureOffset(vtkDataArray* array)
+{
+  return array->HasInformation() &&
+    array->GetInformation()->Has(vtkQuadratureSchemeDefinition::DICTIONARY());
+}
+
 class Selection
 {
 public:
@@ -83,8 +93,9 @@ private:
       "vtkOriginalPointIds", "vtkOriginalCellIds", "RationalWeights", "HigherOrderDegrees",
       kElementIds, kSourceCells, kInnerFaces, kLinearizedOrder };
     return !bookkeeping.contains(name) && !name.starts_with(kPackedPrefix) &&
-      array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
-      array != data->GetRationalWeights() && array != data->GetHigherOrderDegrees();
+      !IsQuadratureOffset(array) && array != data->GetGlobalIds() &&
+      array != data->GetPedigreeIds() && array != data->GetRationalWeights() &&
+      array != data->GetHigherOrderDegrees();
   }
 
   std::set<std::string> Names;

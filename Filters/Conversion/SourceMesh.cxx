@@ -48,29 +48,42 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   return copy;
 }
 
-SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
+SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes, bool surfaces)
   : Nodes(nodes)
 {
   vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
   const std::map<int, int> dimensions = DimensionsOf(grid);
-  const bool isPlane = HighestDimension(dimensions) == 2;
+  const bool isPlane = surfaces || HighestDimension(dimensions) == 2;
   const int wanted = isPlane ? 2 : 3;
   ViewConnectivity(grid);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int type = grid->GetCellType(cell);
     const int dimension = dimensions.at(type);
-    if ((dimension >= 0 && dimension < wanted) || IsHidden(ghosts, cell))
+    const bool isHidden = IsHidden(ghosts, cell);
+    if ((dimension >= 0 && dimension < wanted) || (surfaces && dimension != wanted) || isHidden)
     {
       ++Skipped;
+      Surfaces += dimension == 2 && !isHidden ? 1 : 0;
       continue;
     }
     AddCell(grid, cell, type);
   }
+  if (Cells.empty() && surfaces)
+  {
+    throw InvalidData("the grid has no triangles and no quadrilaterals; switch SurfaceElements off "
+                      "(leave out --surface-elements).");
+  }
   if (Cells.empty())
   {
+    const bool curves = HighestDimension(dimensions) == 1;
     throw InvalidData("the grid has no two- or three-dimensional cell (" + std::to_string(Skipped) +
-      " of other dimensions); check that the file holds a mesh.");
+      " of other dimensions); " +
+      (curves
+          ? "curves are not drawn: make tubes of them (vtkTubeFilter; in ParaView: Extract "
+            "Surface, Tube, Triangulate, Append Datasets), or write the surfaces or solids that "
+            "they stand for."
+          : "check that the file holds a mesh."));
   }
   if (Cells.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {

@@ -28,16 +28,18 @@ namespace pixelexact
 /// whole.
 inline constexpr const char* kSourceCells = "PixelExactSourceCell";
 
-/// The three-dimensional cells of a grid or, where it has none, the two-dimensional ones, in the
-/// grid's order, with basis and points. Keeps the grid's points and connectivity, not the grid.
-/// Safe to read from several threads.
+/// The three-dimensional cells of a grid or, where it has none or surfaces are chosen, the
+/// two-dimensional ones, in the grid's order, with basis and points. Keeps the grid's points and
+/// connectivity, not the grid. Safe to read from several threads.
 class SourceMesh
 {
 public:
   /// Throws Unsupported or InvalidData, naming the cell, for: cells without a basis; weights that
   /// are not positive or differ too much; points that do not exist; coordinates that are NaN or
-  /// infinite. Throws InvalidData for a grid without cells of two or three dimensions.
-  explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
+  /// infinite. Throws InvalidData for a grid without cells of two or three dimensions, and for one
+  /// without cells of two dimensions where `surfaces` chooses these.
+  explicit SourceMesh(
+    vtkUnstructuredGrid* grid, const NodeConvention& nodes = {}, bool surfaces = false);
 
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
   /// Number of the element's cell in the grid.
@@ -59,6 +61,8 @@ public:
   [[nodiscard]] const std::optional<Slab>& GetSlab() const { return Plane; }
   /// The number of cells that are skipped: those of lower dimension, empty and hidden ones.
   [[nodiscard]] vtkIdType SkippedCells() const { return Skipped; }
+  /// The number of two-dimensional cells among them, where the elements are solids.
+  [[nodiscard]] vtkIdType SkippedSurfaces() const { return Surfaces; }
   /// "cell 12 (vtkLagrangeWedge)"
   [[nodiscard]] std::string Describe(int element) const;
 
@@ -104,6 +108,7 @@ private:
   std::span<const vtkIdType> PointIds;
   std::span<const vtkIdType> Offsets; ///< per cell of the grid, and one more
   vtkIdType Skipped = 0;
+  vtkIdType Surfaces = 0; ///< of the skipped cells
   double Roundoff = 0.0;
   std::optional<Slab> Plane;
   vtkSmartPointer<vtkDoubleArray> Points3;

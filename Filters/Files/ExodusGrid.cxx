@@ -3,6 +3,7 @@
 
 #include "Cells/CellBasis.h"
 #include "Conversion/SourceArrays.h"
+#include "Conversion/SourceCells.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/ExodusCells.h"
@@ -100,8 +101,9 @@ struct Sides
 class GridBuilder
 {
 public:
-  explicit GridBuilder(std::size_t step)
+  GridBuilder(std::size_t step, bool surfaces)
     : Step(step)
+    , Surfaces(surfaces)
   {
     Points->SetDataTypeToDouble();
     Grid->AllocateEstimate(1024, 8);
@@ -136,7 +138,6 @@ public:
       throw InvalidData(
         LeftOut.empty() ? "it holds no elements" : "nothing of it is read: " + LeftOut.front());
     }
-    RefuseShells();
     SetPoints();
     Grid->Squeeze();
     AtNodes.AddTo(*Grid->GetPointData(), Grid->GetNumberOfPoints());
@@ -173,7 +174,6 @@ private:
 
   void AddBlock(const ExodusFile& part, const Block& block)
   {
-    Types.insert(block.type);
     std::string& name = BlockNames[block.id];
     name = name.empty() ? block.name : name;
     const auto cell = ExodusCellOf(block.type, block.nodes);
@@ -182,6 +182,7 @@ private:
       LeaveOut(block);
       return;
     }
+    HasShells = HasShells || IsShell(block);
     const std::vector<std::int64_t> nodes = part.Connectivity(block);
     FirstCellOf[block.first] = Grid->GetNumberOfCells();
     std::vector<vtkIdType> ids(static_cast<std::size_t>(block.nodes));
@@ -196,6 +197,8 @@ private:
       Ids.push_back(block.id);
     }
   }
+
+  static bool IsShell(const Block& block) { return block.type.find("SHELL") != std::string::npos; }
 
   void LeaveOut(const Block& block)
   {
@@ -259,7 +262,10 @@ private:
     }
     if (!isEmpty)
     {
-      Found[field.name] = std::max(Found[field.name], dimension);
+      if (!Surfaces || dimension == 2)
+      {
+        Found[field.name] = std::max(Found[field.name], dimension);
+      }
       Complete(components, part.Dimensions(), block.elements);
       OfElements.Append(field.name, cell->second, block.elements, components);
     }
@@ -291,7 +297,8 @@ private:
           first == FirstCellOf.end() ? -1 : first->second + (set.elements[i] - block->first);
         const std::span<const CellSide> sides =
           cell < 0 ? std::span<const CellSide>() : SidesOf(Grid->GetCellType(cell));
-        const std::int64_t side = set.sides[i];
+        // The first two sides of a shell are its faces.
+        const std::int64_t side = set.sides[i] - (IsShell(*block) ? 2 : 0);
         if (side < 1 || side > std::ssize(sides) || set.id > kMaxId)
         {
           ++NoSides;
@@ -301,17 +308,6 @@ private:
           { { static_cast<std::int32_t>(cell), sides[static_cast<std::size_t>(side - 1)].face },
             static_cast<std::int32_t>(set.id) });
       }
-    }
-  }
-
-  /// Refuses shells: plane elements have neither their thickness nor fields on both sides.
-  void RefuseShells() const
-  {
-    const auto isShell = [](const std::string& type)
-    { return type.find("SHELL") != std::string::npos; };
-    if (std::ranges::any_of(Types, isShell) && std::ranges::none_of(Types, &IsExodusSolid))
-    {
-      throw Unsupported("its elements are shells; solids and plane elements (TRI, QUAD) are read");
     }
   }
 
@@ -364,6 +360,11 @@ private:
   {
     const auto add = [&](const std::string& line) { notes.push_back("'" + file + "': " + line); };
     std::ranges::for_each(LeftOut, add);
+    const bool showsShells = HasShells && (Surfaces || HighestDimension(DimensionsOf(Grid)) == 2);
+    if (showsShells)
+    {
+      add("its shells are surfaces without their thickness.");
+    }
     for (const auto& [name, byDimension] : Missing)
     {
       const auto found = Found.find(name);
@@ -371,7 +372,9 @@ private:
         found == Found.end() ? byDimension.end() : byDimension.find(found->second);
       if (found == Found.end())
       {
-        add("the field '" + name + "' has values in no block and is left out.");
+        add("the field '" + name +
+          (Surfaces ? "' has values in no block of surfaces."
+                    : "' has values in no block and is left out."));
       }
       else if (missing != byDimension.end())
       {
@@ -418,6 +421,7 @@ private:
   }
 
   std::size_t Step;
+  bool Surfaces; ///< the elements of surfaces are shown, and not the solids
   bool HasSteps = false;
   vtkNew<vtkUnstructuredGrid> Grid;
   vtkNew<vtkPoints> Points; ///< in double precision
@@ -426,7 +430,7 @@ private:
   GrowingFields AtNodes;
   GrowingFields OfElements;
   std::vector<std::int64_t> Ids; ///< blocks of the cells
-  std::set<std::string> Types;
+  bool HasShells = false;
   std::map<std::int64_t, std::string> BlockNames;
   std::map<std::int64_t, Sides> SideSets;
   std::vector<std::string> LeftOut;
@@ -466,10 +470,10 @@ std::vector<double> ExodusTimes(const std::string& file)
   return Naming(file, [&] { return ExodusFile(file).Times(); });
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> ReadExodusGrid(
-  const std::vector<std::string>& files, std::size_t step, std::vector<std::string>& notes)
+vtkSmartPointer<vtkUnstructuredGrid> ReadExodusGrid(const std::vector<std::string>& files,
+  std::size_t step, bool surfaces, std::vector<std::string>& notes)
 {
-  GridBuilder builder(step);
+  GridBuilder builder(step, surfaces);
   for (const std::string& file : files)
   {
     Naming(file, [&] { builder.Add(file); });

@@ -17,10 +17,11 @@ std::vector<double> ExodusTimes(const std::string& file);
 /// counted from 0. Parts follow one another; within one, blocks share their nodes. Coordinates have
 /// the file's precision. Fields are those of all nodes and elements, NaN where a block or a part
 /// has no values of them; element blocks are the cell array "Attribute", and side sets attributes
-/// of faces (SourceArrays.h). Elements that are neither solids nor of a plane become cells of lower
-/// dimension, or are left out. What is left out, or has no values, is noted. Throws Error, naming
-/// the file.
-vtkSmartPointer<vtkUnstructuredGrid> ReadExodusGrid(
-  const std::vector<std::string>& files, std::size_t step, std::vector<std::string>& notes);
+/// of faces (SourceArrays.h). Shells become cells of two dimensions. Elements that are neither
+/// solids nor of a surface become cells of lower dimension, or are left out. What is left out, or
+/// has no values, is noted, with `surfaces` of the elements of surfaces. Throws Error, naming the
+/// file.
+vtkSmartPointer<vtkUnstructuredGrid> ReadExodusGrid(const std::vector<std::string>& files,
+  std::size_t step, bool surfaces, std::vector<std::string>& notes);
 } // namespace pixelexact
 #endif

@@ -12,7 +12,6 @@
 #include "Parts/PartExchange.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -20,11 +19,8 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <numeric>
 #include <set>
-#include <string_view>
 #include <utility>
 
 namespace pixelexact
@@ -33,16 +29,17 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// The highest of its cells; 0: there is none.
-int DimensionOf(vtkUnstructuredGrid* grid)
+/// The highest dimension of its cells, up to `limit`; 0: there is none.
+int DimensionOf(vtkUnstructuredGrid* grid, int limit)
 {
   // Cell by cell: what VTK has for the types that there are differs between its versions.
   int highest = 0;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && highest < 3; ++cell)
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && highest < limit; ++cell)
   {
     const int dimension = CellDimension(grid->GetCellType(cell));
     // The converter reports unknown types.
-    highest = std::max(highest, dimension < 0 ? 3 : dimension);
+    const int counted = dimension < 0 ? 3 : dimension;
+    highest = counted <= limit ? std::max(highest, counted) : highest;
   }
   return highest;
 }
@@ -61,53 +58,6 @@ Names ArrayNames(vtkUnstructuredGrid* grid)
   add("point", grid->GetPointData());
   add("cell", grid->GetCellData());
   return names;
-}
-
-/// Adds the arrays of rational weights and degrees to parts that lack them, so that they are kept.
-/// The defaults mean ordinary cells: weights are 1, and degrees of 0 follow from the points.
-void FillCellKinds(const std::vector<Grid>& grids)
-{
-  constexpr std::array kKinds{ vtkDataSetAttributes::RATIONALWEIGHTS,
-    vtkDataSetAttributes::HIGHERORDERDEGREES };
-  for (const int kind : kKinds)
-  {
-    const bool isOfPoints = kind == vtkDataSetAttributes::RATIONALWEIGHTS;
-    const auto dataOf = [isOfPoints](vtkUnstructuredGrid* grid) -> vtkDataSetAttributes*
-    {
-      return isOfPoints ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
-                        : grid->GetCellData();
-    };
-    const auto arrayOf = [&](vtkUnstructuredGrid* grid)
-    { return vtkDataArray::SafeDownCast(dataOf(grid)->GetAbstractAttribute(kind)); };
-    const auto like = std::ranges::max_element(grids, {},
-      [&](const Grid& grid)
-      { return arrayOf(grid) != nullptr ? arrayOf(grid)->GetDataTypeSize() : 0; });
-    const vtkSmartPointer<vtkDataArray> model = arrayOf(*like);
-    for (const Grid& grid : grids)
-    {
-      const vtkSmartPointer<vtkDataArray> own = arrayOf(grid);
-      if (model == nullptr ||
-        (own != nullptr && own->GetDataType() == model->GetDataType() &&
-          std::string_view(own->GetName()) == model->GetName()))
-      {
-        continue;
-      }
-      const auto array = vtk::TakeSmartPointer(model->NewInstance());
-      if (own != nullptr)
-      {
-        array->DeepCopy(own);
-        dataOf(grid)->RemoveArray(own->GetName());
-      }
-      else
-      {
-        array->SetNumberOfComponents(model->GetNumberOfComponents());
-        array->SetNumberOfTuples(isOfPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells());
-        array->Fill(isOfPoints ? 1.0 : 0.0);
-      }
-      array->SetName(model->GetName());
-      dataOf(grid)->SetAttribute(array, kind);
-    }
-  }
 }
 
 Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
@@ -207,16 +157,20 @@ std::vector<ReadPart> ReadFiles(const std::vector<GridPart>& files, std::int64_t
   return read;
 }
 
-/// Keeps the volumes among parts, or where there is none the plane ones.
-void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>& notes)
+/// Keeps the volumes among parts, or where there is none, or with `surfaces`, the parts with
+/// surface elements.
+void KeepHighestDimension(
+  std::vector<ReadPart>& parts, bool surfaces, std::vector<std::string>& notes)
 {
   std::vector<int> dimensions(parts.size());
-  std::ranges::transform(
-    parts, dimensions.begin(), [](const ReadPart& part) { return DimensionOf(part.grid); });
+  std::ranges::transform(parts, dimensions.begin(),
+    [surfaces](const ReadPart& part) { return DimensionOf(part.grid, surfaces ? 2 : 3); });
   const int highest = *std::ranges::max_element(dimensions);
   if (highest < 2 && parts.size() > 1)
   {
-    throw Error(CannotRead(parts.front().file) + "it holds no volume and no plane mesh");
+    throw Error(CannotRead(parts.front().file) +
+      (surfaces ? "it holds no surface elements; leave out --surface-elements"
+                : "it holds no volume and no plane mesh"));
   }
   std::vector<ReadPart> kept;
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -230,8 +184,10 @@ void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>
       const bool isPiece = std::ranges::count(parts, parts[i].number, &ReadPart::number) > 1;
       AddOnce(notes,
         std::string(isPiece ? "a piece of '" : "'") + parts[i].file.file +
-          (highest == 3 ? "' holds no volume and is left out."
-                        : "' holds nothing of two dimensions and is left out."));
+          (highest < 3             ? "' holds nothing of two dimensions and is left out."
+              : dimensions[i] == 2 ? "' holds no volume and is left out; --surface-elements reads "
+                                     "the surfaces in place of the volumes."
+                                   : "' holds no volume and is left out."));
     }
   }
   parts = std::move(kept);
@@ -265,10 +221,10 @@ Grid PutTogether(
   return IsPacked(grid) ? Unpack(grid) : grid;
 }
 
-Grid ReadWhole(const std::vector<GridPart>& files, std::vector<std::string>& notes)
+Grid ReadWhole(const std::vector<GridPart>& files, bool surfaces, std::vector<std::string>& notes)
 {
   auto parts = ReadFiles(files, 0, static_cast<std::int64_t>(files.size()), notes);
-  KeepHighestDimension(parts, notes);
+  KeepHighestDimension(parts, surfaces, notes);
   DropReplacedParts(parts, notes);
   DropSharedCells(parts, notes);
   PieceCounts counts;
@@ -292,21 +248,40 @@ void NoteRepeatedLabels(const std::vector<GridPart>& files, std::vector<std::str
   }
 }
 
+/// The numbers of the cells that become elements: all of a grid with coefficients, else those of
+/// the highest dimension, or with `surfaces` of two dimensions.
+std::vector<vtkIdType> ElementCellsOf(vtkUnstructuredGrid* grid, bool surfaces)
+{
+  std::vector<vtkIdType> cells;
+  const bool areAll = HasHighOrderArrays(grid);
+  const int wanted = areAll ? 0 : DimensionOf(grid, surfaces ? 2 : 3);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int dimension = areAll ? 0 : CellDimension(grid->GetCellType(cell));
+    if ((dimension < 0 ? 3 : dimension) == wanted)
+    {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
 /// Reads the share of one of several processes in a single file.
-ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
+ReadGrid ReadShare(const GridPart& file, const PieceOf& share, bool surfaces)
 {
   ReadGrid result;
   std::string problem;
   try
   {
-    const Grid whole = ReadWhole({ file }, result.notes);
-    const auto [begin, end] = share.Of(whole->GetNumberOfCells());
-    std::vector<vtkIdType> cells(static_cast<std::size_t>(end - begin));
-    std::iota(cells.begin(), cells.end(), begin);
+    const Grid whole = ReadWhole({ file }, surfaces, result.notes);
+    const std::vector<vtkIdType> all = ElementCellsOf(whole, surfaces);
+    const auto [begin, end] = share.Of(std::ssize(all));
+    const std::vector<vtkIdType> cells(all.begin() + begin, all.begin() + end);
     result.grid = KeepCells(whole, cells);
-    if (!HasHighOrderArrays(result.grid) && end > begin)
+    const bool areNumbered = HasHighOrderArrays(result.grid);
+    for (vtkIdType own = 0; !areNumbered && own < std::ssize(cells); ++own)
     {
-      NumberCells(result.grid, 0, end - begin, begin);
+      NumberCells(result.grid, own, own + 1, cells[static_cast<std::size_t>(own)]);
     }
   }
   catch (const std::exception& error)
@@ -318,18 +293,18 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
 }
 } // namespace
 
-ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
+ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share, bool surfaces)
 {
   ReadGrid result;
   const auto files = ListFiles(parts, result.notes);
   if (share.IsWhole())
   {
-    result.grid = ReadWhole(files, result.notes);
+    result.grid = ReadWhole(files, surfaces, result.notes);
     return result;
   }
   if (files.size() == 1)
   {
-    return ReadShare(files[0], share);
+    return ReadShare(files[0], share, surfaces);
   }
   NoteRepeatedLabels(files, result.notes);
   PieceCounts counts{ static_cast<int>(files.size()), {} };
@@ -353,6 +328,8 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
     {
       const auto [begin, end] = share.Of(static_cast<std::int64_t>(files.size()));
       read = ReadFiles(files, begin, end, result.notes);
+      std::erase_if(read,
+        [surfaces](const ReadPart& part) { return surfaces && DimensionOf(part.grid, 2) < 2; });
       const bool idle = std::ranges::all_of(
         read, [](const ReadPart& part) { return part.grid->GetNumberOfCells() == 0; });
       if (idle)
@@ -361,7 +338,7 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
       }
       else
       {
-        KeepHighestDimension(read, result.notes);
+        KeepHighestDimension(read, surfaces, result.notes);
       }
     });
   if (processes != nullptr)

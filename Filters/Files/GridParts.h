@@ -22,7 +22,8 @@ struct ReadGrid
 /// that discontinuous fields stay discontinuous. Rules for several parts:
 ///
 /// - cells that another part also holds (ghosts marked as duplicates) are left out;
-/// - parts without volume cells are left out, and so are arrays that differ in kind or are missing
+/// - parts without volume cells are left out (with `surfaces`: without surface elements), and so
+///   are arrays that differ in kind or are missing
 ///   in other parts; both are noted;
 /// - coefficients converted from nodal values are dropped, because the converter creates them
 ///   again; those of a solver's own file are joined where all parts have them, and refused
@@ -35,6 +36,6 @@ struct ReadGrid
 /// kSourceCells (SourceMesh.h). Calls ElementsBefore (PartExchange.h), so all processes must call
 /// it. A process without a file gets an empty grid.
 PIXELEXACTFILTERS_EXPORT ReadGrid ReadParts(
-  const std::vector<GridPart>& parts, const PieceOf& share = {});
+  const std::vector<GridPart>& parts, const PieceOf& share = {}, bool surfaces = false);
 } // namespace pixelexact
 #endif

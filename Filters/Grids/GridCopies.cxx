@@ -5,12 +5,16 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -75,6 +79,51 @@ vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
   append->SetOutputPointsPrecision(precision);
   append->Update();
   return append->GetOutput();
+}
+
+void FillCellKinds(std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids)
+{
+  constexpr std::array kKinds{ vtkDataSetAttributes::RATIONALWEIGHTS,
+    vtkDataSetAttributes::HIGHERORDERDEGREES };
+  for (const int kind : kKinds)
+  {
+    const bool isOfPoints = kind == vtkDataSetAttributes::RATIONALWEIGHTS;
+    const auto dataOf = [isOfPoints](vtkUnstructuredGrid* grid) -> vtkDataSetAttributes*
+    {
+      return isOfPoints ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
+                        : grid->GetCellData();
+    };
+    const auto arrayOf = [&](vtkUnstructuredGrid* grid)
+    { return vtkDataArray::SafeDownCast(dataOf(grid)->GetAbstractAttribute(kind)); };
+    const auto like = std::ranges::max_element(grids, {},
+      [&](const vtkSmartPointer<vtkUnstructuredGrid>& grid)
+      { return arrayOf(grid) != nullptr ? arrayOf(grid)->GetDataTypeSize() : 0; });
+    const vtkSmartPointer<vtkDataArray> model = arrayOf(*like);
+    for (const vtkSmartPointer<vtkUnstructuredGrid>& grid : grids)
+    {
+      const vtkSmartPointer<vtkDataArray> own = arrayOf(grid);
+      if (model == nullptr ||
+        (own != nullptr && own->GetDataType() == model->GetDataType() &&
+          std::string_view(own->GetName()) == model->GetName()))
+      {
+        continue;
+      }
+      const auto array = vtk::TakeSmartPointer(model->NewInstance());
+      if (own != nullptr)
+      {
+        array->DeepCopy(own);
+        dataOf(grid)->RemoveArray(own->GetName());
+      }
+      else
+      {
+        array->SetNumberOfComponents(model->GetNumberOfComponents());
+        array->SetNumberOfTuples(isOfPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells());
+        array->Fill(isOfPoints ? 1.0 : 0.0);
+      }
+      array->SetName(model->GetName());
+      dataOf(grid)->SetAttribute(array, kind);
+    }
+  }
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> WithTruncated(

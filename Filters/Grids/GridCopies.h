@@ -22,6 +22,10 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
 vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
   std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids);
 
+/// Adds the arrays of rational weights and degrees to parts that lack them, so that they are kept.
+/// The defaults mean ordinary cells: weights are 1, and degrees of 0 follow from the points.
+void FillCellKinds(std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids);
+
 /// A shallow copy of a grid with coefficients whose fields are replaced by their truncations. Point
 /// and cell arrays with these names, which contain values of the whole fields, are left out.
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithTruncated(

@@ -171,6 +171,14 @@ void vtkPixelExactGridReader::SetMirroredWedges(bool mirrored)
 }
 
 //------------------------------------------------------------------------------
+void vtkPixelExactGridReader::SetSurfaceElements(bool surfaces)
+{
+  this->Reader->SetSurfaceElements(surfaces);
+  this->Convert->SetSurfaceElements(surfaces);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkPixelExactGridReader::SetDiagnose(bool diagnose)
 {
   this->Convert->SetDiagnose(diagnose);

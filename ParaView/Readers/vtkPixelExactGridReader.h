@@ -26,6 +26,7 @@ public:
    */
   void SetNodePlacement(int placement);
   void SetMirroredWedges(bool mirrored);
+  void SetSurfaceElements(bool surfaces);
   void SetDiagnose(bool diagnose);
   ///@}
 

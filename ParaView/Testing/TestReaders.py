@@ -8,6 +8,9 @@ import unittest
 
 import numpy
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, VTK_TRIANGLE, vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 import scene
 
@@ -128,6 +131,30 @@ class Readers(unittest.TestCase):
         reader.UpdatePipelineInformation()
         self.assertEqual(list(reader.TimestepValues), [0.0, 0.25, 0.5])
         self.check(reader, f"{name}/oracle.csv", "u", [file])
+
+    def test_surfaces_beside_solids(self):
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 1), (0, 1, 0), (3, 0, 0), (4, 0, 0), (3, 1, 0), (3, 0, 1)]
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(vtkPoints())
+        for point in points:
+            grid.GetPoints().InsertNextPoint(point)
+        grid.InsertNextCell(VTK_TETRA, 4, [4, 5, 6, 7])
+        grid.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
+        grid.InsertNextCell(VTK_TRIANGLE, 3, [0, 2, 3])
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mixed.vtu")
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetFileName(file)
+            writer.SetInputData(grid)
+            writer.Write()
+            reader = simple.PixelExactGridReader(FileName=[file])
+            with scene.messages() as heard:
+                reader.UpdatePipeline()
+            self.assertIn("Surface Elements", heard[0])
+            self.assertEqual(reader.GetDataInformation().GetNumberOfCells(), 1)
+            reader.SurfaceElements = 1
+            reader.UpdatePipeline()
+            self.assertEqual(reader.GetDataInformation().GetNumberOfCells(), 2)
 
     def test_nek5000(self):
         file = "nek5000_bent/bent.nek5000"

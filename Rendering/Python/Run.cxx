@@ -287,14 +287,17 @@ PyObject* Read(PyObject* /*module*/, PyObject* arguments)
   PyObject* callable = Py_None;
   int step = 0;
   int cornerCells = 0;
+  int surfaceElements = 0;
   pixelexact::InputRequest request;
-  if (PyArg_ParseTuple(arguments, "OipO", &files, &step, &cornerCells, &callable) == 0 ||
+  if (PyArg_ParseTuple(
+        arguments, "OippO", &files, &step, &cornerCells, &surfaceElements, &callable) == 0 ||
     !ParseFiles(files, request))
   {
     return nullptr;
   }
   request.step = step;
   request.cornerCells = cornerCells != 0;
+  request.surfaceElements = surfaceElements != 0;
   ProgressCall call(callable);
   pixelexact::InputGrid input;
   const bool isRead = ReadFiles(
@@ -358,7 +361,8 @@ PyMethodDef methods[] = {
     "None or a function of the completed part; what it raises, and KeyboardInterrupt, ends the "
     "work. The interpreter's lock is released unless may_release is false or others observe." },
   { "read", Read, METH_VARARGS,
-    "read(files, step, progress): the grid and notes on it, as the program reads INPUT." },
+    "read(files, step, corner_cells, surface_elements, progress): the grid and notes on it, as the "
+    "program reads INPUT." },
   { "times", Times, METH_O, "times(files): the times of their steps, ascending." },
   { "set_threads", SetThreads, METH_VARARGS, "set_threads(count): 0 for all processors." },
   { "get_threads", GetThreads, METH_NOARGS, "The largest number of threads that work at once." },

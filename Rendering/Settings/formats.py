@@ -21,9 +21,14 @@ KEYS = {
     "paraview": "the proxy of the plugin's reader, a key of `paraview_readers`; none: the plugin has no reader",
     "paraview_suffixes": "the suffixes with which ParaView opens the reader; else those of `mesh`",
     "help": "one sentence about the files",
+    "lost": "what is left out, changed or refused, for files.md",
+    "tested": "which files were read in tests, and against which values, for files.md",
 }
 # The first lines of the table of formats in Module/Documentation/files.md.
-PAGE_HEAD = "| format | meshes | fields | reader in ParaView | files |\n|---|---|---|---|---|\n"
+PAGE_HEAD = (
+    "| format | meshes | fields | reader in ParaView | files | left out, changed or refused | tested with |\n"
+    "|---|---|---|---|---|---|---|\n"
+)
 
 
 @functools.cache
@@ -81,7 +86,7 @@ def page_table():
 
 def _page_row(row):
     suffixes = (_code(row["mesh"]), _code(row["fields"]), _code(filter(None, [row["paraview"]])))
-    return f"| {row['name']} | {' | '.join(suffixes)} | {row['help']} |\n"
+    return f"| {row['name']} | {' | '.join(suffixes)} | {row['help']} | {row['lost']} | {row['tested']} |\n"
 
 
 def _code(words):
@@ -99,8 +104,9 @@ def _alternatives(words):
 def _complete(given, paraview_readers):
     unknown = set(given) - set(KEYS)
     row = {**dict.fromkeys(KEYS), "fields": [], "field_folders": False, "marks": [], **given}
-    if unknown or not all(row[key] for key in ("name", "mesh", "reader", "help")):
-        raise ValueError(f"{row['name']}: unknown keys {sorted(unknown)}, or no name, mesh, reader or help")
+    needed = ("name", "mesh", "reader", "help", "lost", "tested")
+    if unknown or not all(row[key] for key in needed):
+        raise ValueError(f"{row['name']}: unknown keys {sorted(unknown)}, or one of {needed} is missing")
     if row["paraview"] and row["paraview"] not in paraview_readers:
         raise ValueError(f"{row['name']}: {row['paraview']} is none of paraview_readers")
     row["paraview_suffixes"] = row["paraview_suffixes"] or row["mesh"]

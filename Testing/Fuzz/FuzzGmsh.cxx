@@ -28,6 +28,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try
   {
+    pixelexact::gmsh::Read(files, 0, true, 1, true);
+  }
+  catch (const pixelexact::Error&)
+  {
+    // As above.
+  }
+  try
+  {
     if (files.size() > 1)
     {
       pixelexact::gmsh::Read(files, 0, true, files.size());

@@ -2,6 +2,7 @@
 """Cut-surfaces that are no implicit functions, from Python."""
 
 import os
+import tempfile
 import unittest
 
 import numpy as np
@@ -10,9 +11,9 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_QUAD, vtkPlane, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_QUAD, VTK_TETRA, vtkPlane, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
 import pixelexact
@@ -170,6 +171,28 @@ class SurfacesInSpace(unittest.TestCase):
         converter.Update()
         self.assertTrue(pixelexact.vtkHighOrderGrid.IsSurfaceInSpace(converter.GetOutput()))
         self.assertFalse(pixelexact.vtkHighOrderGrid.IsSurfaceInSpace(self.grid))
+
+    def test_are_chosen_beside_solids(self):
+        for x, y, z in ((3, 0, 0), (4, 0, 0), (3, 1, 0), (3, 0, 1)):
+            self.grid.GetPoints().InsertNextPoint(x, y, z)
+            self.grid.GetPointData().GetArray("u").InsertNextValue(x)
+        self.grid.InsertNextCell(VTK_TETRA, 4, [4, 5, 6, 7])
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mixed.vtu")
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetFileName(file)
+            writer.SetInputData(self.grid)
+            writer.Write()
+            chosen = pixelexact.read(file, surface_elements=True)
+            with self.assertWarnsRegex(RuntimeWarning, "1 surface element.*SetSurfaceElements"):
+                solids = pixelexact.read(file)
+            with self.assertRaisesRegex(pixelexact.Error, "no triangles and no quadrilaterals"):
+                pixelexact.read(os.path.join(DATA, "toroid_hex_g3_p6.vtu"), surface_elements=True)
+        self.assertTrue(pixelexact.vtkHighOrderGrid.IsSurfaceInSpace(chosen))
+        self.assertFalse(pixelexact.vtkHighOrderGrid.IsSurfaceInSpace(solids))
+        found = pixelexact.probe(chosen, "u", [[0.25, 0.5, 0.125], [3.1, 0.1, 0.1]])
+        np.testing.assert_allclose(found.values[0], 0.25, atol=1e-15)
+        self.assertEqual(list(found.verdicts), [1, 0])
 
 
 if __name__ == "__main__":

@@ -42,6 +42,30 @@ class Warp(unittest.TestCase):
         other = pixelexact.render(self.grid, "u", size=(60, 40), warp="u=0.02", warp_direction=UP)
         np.testing.assert_array_equal(one.image, other.image)
 
+    def test_complex_fields_at_a_phase(self):
+        """Of a unit cube: u = x + i y, which moves it along z by the real part of u e^(i 30 degrees)."""
+        cube = vtkUnstructuredGrid()
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        parts = [vtkDoubleArray(), vtkDoubleArray()]
+        for name, array in zip(("u_real", "u_imag"), parts):
+            array.SetName(name)
+            cube.GetPointData().AddArray(array)
+        for x, y, z in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)):
+            points.InsertNextPoint(x, y, z)
+            parts[0].InsertNextValue(x)
+            parts[1].InsertNextValue(y)
+        cube.SetPoints(points)
+        cube.InsertNextCell(VTK_HEXAHEDRON, 8, list(range(8)))
+        grid = pixelexact.warp(pixelexact.at_phase(cube, 30.0), "u", 0.25, direction=UP)
+        rest = np.random.default_rng(2).uniform(0.0, 1.0, (20, 3))
+        real = np.cos(np.pi / 6) * rest[:, 0] - 0.5 * rest[:, 1]
+        found = pixelexact.probe(grid, "u", rest + 0.25 * real[:, None] * np.array(UP))
+        self.assertTrue(found.inside.all())
+        np.testing.assert_allclose(found.values, real, atol=1e-14)
+        with self.assertRaisesRegex(pixelexact.Error, "sum of fields"):
+            pixelexact.warp(cube, "u_real*u_imag", 0.25, direction=UP)
+
     def test_limit(self):
         # x + s u along z, of a unit cube with u = -x z: the edges x = 1 along z get the length 1 - s.
         cube = vtkUnstructuredGrid()

@@ -40,6 +40,7 @@ class BadFiles(FileTest):
         self.refuses(self.write("gmsh", "$MeshFormat\n4.1 0 8\n"), "Gmsh (.msh)")
         self.refuses(self.write("hdf.dat", b"\x89HDF\r\n\x1a\n"), "VTKHDF (.vtkhdf)")
         self.refuses(self.write("table.txt", "time,solution\nMFEM 1\n"), "none of the marks")
+        self.refuses(self.folder / "table.txt", "'HDF' (VTKHDF; Exodus II; CGNS; FLEXI, HOPR), 'CDF' (Exodus II)")
 
     def test_pipes_without_a_writer(self):
         """Nobody is waited for, whatever the suffix, and wherever the pipe stands."""
@@ -299,6 +300,27 @@ class EmptyMesh(FileTest):
     def test_empty_mesh(self):
         self.refused_by_all(self.write("empty.vtu", plain_grid([], [])),
                             "no two- or three-dimensional cell")
+
+    def test_values_at_quadrature_points(self):
+        """What VTK's interpolator writes: values as field data, and where those of a cell begin."""
+        text = plain_grid(np.eye(4, 3), [(10, [0, 1, 2, 3])], [("u", np.arange(4.0))])
+        text = text.replace("<UnstructuredGrid>", """<UnstructuredGrid>
+            <FieldData><DataArray type="Float64" Name="q" NumberOfTuples="1" format="ascii">7
+            <InformationKey name="QUADRATURE_OFFSET_ARRAY_NAME" location="vtkQuadratureSchemeDefinition">Offset
+            </InformationKey></DataArray></FieldData>""")
+        text = text.replace("<CellData>", """<CellData><DataArray type="Int64" Name="Offset" format="ascii">0
+            <InformationKey name="DICTIONARY" location="vtkQuadratureSchemeDefinition"><vtkQuadratureSchemeDefinition>
+            <CellType value="10"/><NumberOfNodes value="4"/><NumberOfQuadraturePoints value="1"/>
+            <ShapeFunctionWeights>0.25 0.25 0.25 0.25</ShapeFunctionWeights><QuadratureWeights>1</QuadratureWeights>
+            </vtkQuadratureSchemeDefinition></InformationKey></DataArray>""")
+        path = self.write("points.vtu", text)
+        done = self.succeeds("info", path)
+        self.assertIn("'q' holds values at quadrature points, which are not read", done.stderr)
+        self.assertEqual([field["name"] for field in self.summary("info", path)["fields"]], ["u"])
+
+    def test_curves_alone(self):
+        path = self.write("beam.vtu", plain_grid(np.eye(3), [(3, [0, 1]), (21, [0, 1, 2])]))
+        self.refused_by_all(path, "curves are not drawn: make tubes of them")
 
     def test_cells_of_lower_dimension_are_skipped_and_counted(self):
         points = np.eye(4, 3)

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import tool
+from shells import Patches
 from tool import DATA, ToolTest, case, read_buffers, read_image
 
 MPIRUN = shutil.which("mpirun")
@@ -109,6 +110,23 @@ class SeveralProcesses(ToolTest):
         cube = self.folder / "cube.vtu"
         cube.write_text(tool.unit_cube_grid([("u", [x for x, _, _ in tool.CUBE])]))
         self.same((cube, "--plane", "0.5,0.5,0.5,0,0,1"), (3,))
+
+    def test_surfaces_beside_solids(self):
+        """In a file the cells of both kinds are mixed; of files one has no surface."""
+        made = Patches(3, 3, lambda x, y: [x, y, 0.3 * x * y], "mixed")
+        points = made.points + [[x + 2.0, y, z] for x, y, z in tool.CUBE]
+        cells = made.cells[:7] + [(12, list(range(len(made.points), len(points))))] + made.cells[7:]
+        mixed, cube, both = (self.folder / name for name in ("mixed.vtu", "cube.vtu", "both.pvd"))
+        mixed.write_text(tool.plain_grid(points, cells, [("u", [p[0] for p in points])]), encoding="utf-8")
+        self.same((mixed, "--surface-elements", "--view", "iso"))
+        cube.write_text(tool.unit_cube_grid(), encoding="utf-8")
+        both.write_text('<VTKFile type="Collection"><Collection>' + "".join(
+            f'<DataSet timestep="0" part="{k}" file="{name}.vtu"/>' for k, name in enumerate(("mixed", "cube"))) +
+            "</Collection></VTKFile>", encoding="utf-8")
+        summary, image, _, _ = self.rendered(2, (both, "--surface-elements", "--view", "iso"))
+        whole, expected, _, _ = self.rendered(1, (mixed, "--surface-elements", "--view", "iso"))
+        self.assertEqual(summary["pixels"], whole["pixels"])
+        np.testing.assert_array_equal(image, expected)
 
     def test_pieces(self):
         """Of a .pvtu each process reads its own files, and elements have the numbers of the whole."""

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces in space: triangles and quadrilaterals of any order, against closed forms on a graph."""
 
+import json
 import unittest
 
 import numpy as np
 
+from exodus import exodus
 from shells import Patches
-from tool import ToolTest, View, columns, plain_grid, read_buffers, read_csv, run
+from tool import CUBE, ToolTest, View, columns, plain_grid, read_buffers, read_csv, read_image, run, unit_cube_grid
 
 
 def height(x, y):
@@ -328,6 +330,142 @@ class ShellFormats(ShellTest):
     def test_pictures_of_both_are_the_same(self):
         seen = [self.shown(*files, "--field", "u")[1] for files in self.files()]
         np.testing.assert_array_equal(seen[0]["Value"], seen[1]["Value"])
+
+
+def beside(points):
+    """The unit cube's corners, moved away from the surfaces, after these points."""
+    return list(points) + [[x + 2.0, y, z] for x, y, z in CUBE]
+
+
+class BendingSeries(ShellTest):
+    """A series that begins flat, which a plane shows, and then bends."""
+
+    def test_the_command_repeats_all_pictures(self):
+        sets = ""
+        for step, surface in enumerate((lambda x, y: [x, y, 0.0], graph)):
+            made = Patches(3, 2, surface, "mixed")
+            fields = [("u", [value(x, y) for x, y, _ in made.points])]
+            (self.folder / f"b_{step}.vtu").write_text(plain_grid(made.points, made.cells, fields), encoding="utf-8")
+            sets += f'<DataSet timestep="{step}" part="0" file="b_{step}.vtu"/>'
+        series = self.folder / "series.pvd"
+        series.write_text(f'<VTKFile type="Collection"><Collection>{sets}</Collection></VTKFile>', encoding="utf-8")
+        done = self.succeeds("render", series, "--time-step", "all", *VIEW.options(), "--output",
+                             self.folder / "f_%d.png", "--json")
+        self.assertIn("no surface was given; each picture shows its own mesh", done.stderr)
+        command = json.loads(done.stdout)["command"]
+        self.assertFalse([word for word in command if word.startswith(("--plane", "--boundary"))])
+        self.assertIn("--field", " ".join(command))
+        first = [read_image(self.folder / f"f_{step}.png") for step in range(2)]
+        repeated = [word.replace("f_%d", "g_%d") for word in command if word != "--json"]
+        self.succeeds(*(repeated[1:] if repeated[0].endswith("pixelexact") else repeated))
+        for step, picture in enumerate(first):
+            np.testing.assert_array_equal(read_image(self.folder / f"g_{step}.png"), picture)
+        self.assertFalse(np.array_equal(*first))
+
+
+class MixedFiles(ShellTest):
+    """Files that mix surfaces with solids: these are shown, or the surfaces where they are chosen."""
+
+    def cube(self, first):
+        return 12, list(range(first, first + 8))
+
+    def mixed(self):
+        made = Patches(3, 3, graph, "mixed")
+        points = beside(made.points)
+        path = self.folder / "mixed.vtu"
+        path.write_text(plain_grid(points, [self.cube(len(made.points)), *made.cells, (3, [0, 1])],
+                                   [("u", [value(x, y) for x, y, _ in points])]), encoding="utf-8")
+        return path
+
+    def check_surface(self, *files):
+        rows = self.integrals(*files, "--field", "u", "--surface-elements")
+        total = over_square(lambda x, y: value(x, y) * area_element(x, y))
+        self.assertAlmostEqual(rows["Area"]["value"], over_square(area_element), delta=1e-7)
+        self.assertAlmostEqual(rows["Integral"]["value"], total, delta=1e-7)
+
+    def test_each_kind_of_a_grid(self):
+        file = self.mixed()
+        done = self.succeeds("info", file)
+        self.assertIn("13 surface elements", done.stderr)
+        self.assertIn("--surface-elements", done.stderr)
+        self.assertEqual(self.summary("info", file)["shapes"], {"hexahedron": 1})
+        chosen = self.summary("info", file, "--surface-elements")
+        self.assertEqual(chosen["shapes"], {"triangle": 8, "quadrilateral": 5})
+        self.assertEqual(chosen["skipped_cells"], 2)
+        self.check_surface(file)
+        x, y, inside = squares_seen()
+        _, seen = self.shown(file, "--field", "u", "--surface-elements")
+        np.testing.assert_array_equal(seen["Verdict"] == 1, inside)
+        np.testing.assert_allclose(seen["Value"][inside], value(x, y)[inside], atol=2e-14)
+        self.assertEqual(np.unique(seen["Element"][inside]).min(), 1)  # the cube is cell 0
+        points, out = self.folder / "p.csv", self.folder / "o.csv"
+        points.write_text("x,y,z\n2.5,0.5,0.5\n", encoding="utf-8")
+        self.succeeds("probe", file, "--field", "u", "--points", points, "--output", out)
+        self.assertEqual(read_csv(out)[0]["verdict"], "inside")
+
+    def test_parts_of_which_some_are_surfaces(self):
+        made = Patches(3, 3, graph, "mixed")
+        texts = {"a": plain_grid(made.points, made.cells, [("u", [value(x, y) for x, y, _ in made.points])]),
+                 "b": plain_grid(CUBE, [self.cube(0)], [("u", [0.0] * 8)])}
+        for name, text in texts.items():
+            (self.folder / f"{name}.vtu").write_text(text, encoding="utf-8")
+        whole = self.folder / "whole.pvd"
+        whole.write_text('<VTKFile type="Collection"><Collection>' + "".join(
+            f'<DataSet timestep="0" part="{k}" file="{name}.vtu"/>' for k, name in enumerate(texts)) +
+            "</Collection></VTKFile>", encoding="utf-8")
+        done = self.succeeds("info", whole)
+        self.assertIn("a.vtu' holds no volume and is left out; --surface-elements", done.stderr)
+        self.check_surface(whole)
+
+    def test_gmsh_with_a_volume(self):
+        text = GMSH.replace("$Nodes\n6", "$Nodes\n7").replace("6 2 1 1\n$End", "6 2 1 1\n7 0 0 5\n$End", 1)
+        text = text.replace("$Elements\n2\n", "$Elements\n3\n3 4 2 9 1 1 2 4 7\n")
+        file = self.folder / "m.msh"
+        file.write_text(text, encoding="utf-8")
+        self.assertIn("--surface-elements", self.succeeds("info", file).stderr)
+        self.assertEqual(self.summary("info", file)["shapes"], {"tetrahedron": 1})
+        whole = self.integrals(file, "--field", "u", "--surface-elements")
+        self.assertAlmostEqual(whole["Integral"]["value"], 2 * np.sqrt(2), delta=1e-9)
+        right = self.integrals(file, "--field", "u", "--surface-elements", "--boundary=4")
+        self.assertAlmostEqual(right["Integral"]["value"], 1.5 * np.sqrt(2), delta=1e-9)
+
+    def shells(self, solids=True):
+        points = beside([[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 1], [2, 0, 0], [2, 1, 1]])
+        blocks = [(7, "SHELL4", [[0, 1, 2, 3]]), (8, "SHELL4", [[1, 4, 5, 2]])]
+        blocks += [(3, "HEX8", [list(range(6, 14))])] if solids else []
+        path = self.folder / f"shells{solids}.e"
+        path.write_bytes(exodus(points, blocks, [("u", [float(p[0]) for p in points])], [("t", {7: [3.0], 8: [5.0]})],
+                                names=["web", "flange", "core"][:len(blocks)]))
+        return path
+
+    def test_exodus_shells(self):
+        for solids in (True, False):
+            with self.subTest(solids=solids):
+                file = self.shells(solids)
+                chosen = ["--surface-elements"] if solids else []
+                done = self.succeeds("info", file, *chosen)
+                self.assertIn("shells are surfaces without their thickness", done.stderr)
+                self.assertEqual(self.summary("info", file, *chosen)["shapes"], {"quadrilateral": 2})
+                rows = self.integrals(file, "--field", "u", *chosen, "--boundary=8")
+                self.assertAlmostEqual(rows["Integral"]["value"], 1.5 * np.sqrt(2), delta=1e-9)
+                rows = self.integrals(file, "--field", "t", *chosen)
+                self.assertAlmostEqual(rows["Integral"]["value"], 8 * np.sqrt(2), delta=1e-9)
+        whole = self.summary("info", self.shells())
+        self.assertEqual(whole["shapes"], {"hexahedron": 1})
+        surfaces = self.summary("info", self.shells(), "--surface-elements")
+        self.assertEqual(surfaces["boundary_attributes"], {"7": 1, "8": 1})
+        self.assertEqual({group["name"]: group["boundary"] for group in surfaces["groups"] if group["id"] != 3},
+                         {"web": True, "flange": True})
+
+    def test_without_surfaces(self):
+        cube, mesh = self.folder / "cube.vtu", self.folder / "s.mesh"
+        cube.write_text(unit_cube_grid(), encoding="utf-8")
+        mesh.write_text(MFEM, encoding="utf-8")
+        gmsh = self.folder / "v.msh"
+        text = GMSH.replace("1 3 2 3 1 1 2 3 4", "1 4 2 3 1 1 2 3 4").replace("2 3 2 4 1 2 5 6 3", "2 4 2 4 1 2 5 6 3")
+        gmsh.write_text(text, encoding="utf-8")
+        for file in (cube, mesh, gmsh):
+            self.fails(1, "info", file, "--surface-elements", names=[file, "leave out --surface-elements"])
 
 
 if __name__ == "__main__":

@@ -62,13 +62,17 @@ def netcdf(dimensions, variables, version=2):
     return header(begins) + body
 
 
-def exodus(points, blocks, nodal=(), elemental=(), real=DOUBLE, integer=INT, version=2, times=(0.0,)):
-    """A mesh: points, blocks of (number, type, elements as nodes from 0), fields at nodes of (name,
+def exodus(points, blocks, nodal=(), elemental=(), real=DOUBLE, integer=INT, version=2, times=(0.0,),
+           names=()):
+    """A mesh: points, blocks of (number, type, elements as nodes from 0) and their names, fields at nodes of (name,
     values) and of elements of (name, {number of a block: values}), the same at all times."""
     dims = {"len_string": 33, "time_step": None, "num_dim": len(points[0]), "num_nodes": len(points),
             "num_elem": sum(len(b[2]) for b in blocks), "num_el_blk": len(blocks)}
     variables = [("time_whole", DOUBLE, ["time_step"], [[t] for t in times]),
                  ("eb_prop1", integer, ["num_el_blk"], [b[0] for b in blocks])]
+    if names:
+        variables.append(("eb_names", CHAR, ["num_el_blk", "len_string"],
+                          b"".join(name.encode().ljust(33, b"\0") for name in names)))
     for d, axis in enumerate("xyz"[:len(points[0])]):
         variables.append((f"coord{axis}", real, ["num_nodes"], [p[d] for p in points]))
     for place, (_, kind, elements) in enumerate(blocks, 1):

@@ -201,16 +201,16 @@ void FileSet::Pass(const Section& section, std::size_t file)
   }
 }
 
-MeshFile FileSet::ReadMesh()
+MeshFile FileSet::ReadMesh(bool surfaces)
 {
   if (Pieces == 1)
   {
-    return ReadPiece(0);
+    return ReadPiece(0, surfaces);
   }
   MeshUnion whole;
   for (std::size_t file = 0; file < Pieces; ++file)
   {
-    whole.Add(ReadPiece(file), Scanners[file].Name());
+    whole.Add(ReadPiece(file, surfaces), Scanners[file].Name());
   }
   return whole.Finish();
 }
@@ -230,9 +230,10 @@ Partitions FileSet::ReadPartitions()
   return { mesh.partitionsHere.empty() ? 1U : 0U, mesh.partitionsHere };
 }
 
-MeshFile FileSet::ReadPiece(std::size_t file)
+MeshFile FileSet::ReadPiece(std::size_t file, bool surfaces)
 {
   MeshFile mesh;
+  mesh.dimension = surfaces ? 2 : 3;
   Entities entities;
   Scanner& scanner = Scanners[file];
   const auto& sections = Sections[file];
@@ -262,7 +263,7 @@ MeshFile FileSet::ReadPiece(std::size_t file)
   }
   const std::size_t elements = scanner.Position();
   ReadElements(scanner, entities, mesh);
-  if (mesh.elements.empty() && !mesh.faces.empty())
+  if (mesh.elements.empty() && !mesh.faces.empty() && !surfaces)
   {
     mesh.dimension = 2;
     mesh.faces.clear();

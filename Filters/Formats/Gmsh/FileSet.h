@@ -21,7 +21,8 @@ public:
   /// The first `pieces` files hold the mesh.
   explicit FileSet(const std::vector<NamedText>& files, std::size_t pieces = 1);
 
-  [[nodiscard]] MeshFile ReadMesh();
+  /// The solids or, where there are none or with `surfaces`, the surface elements.
+  [[nodiscard]] MeshFile ReadMesh(bool surfaces = false);
   /// Reads the partitions that the first file names.
   [[nodiscard]] Partitions ReadPartitions();
 
@@ -32,7 +33,7 @@ public:
 private:
   void ReadViews(std::size_t file);
   void Pass(const Section& section, std::size_t file);
-  MeshFile ReadPiece(std::size_t file);
+  MeshFile ReadPiece(std::size_t file, bool surfaces = false);
 
   std::size_t Pieces;
 

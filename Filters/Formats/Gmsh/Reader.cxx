@@ -14,8 +14,13 @@ namespace pixelexact::gmsh
 {
 namespace
 {
-void RequireSolids(const MeshFile& mesh, const std::string& file)
+void RequireElements(const MeshFile& mesh, bool surfaces, const std::string& file)
 {
+  if (mesh.elements.empty() && surfaces)
+  {
+    throw InvalidData(
+      file + ": the mesh has no triangles and no quadrilaterals; leave out --surface-elements.");
+  }
   if (mesh.elements.empty())
   {
     throw Unsupported(file +
@@ -75,7 +80,8 @@ Corners CornersOf(const MeshFile& mesh, const Solid& element)
   return corners;
 }
 
-void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, SolverModel& model)
+void AddMesh(const MeshFile& mesh, bool surfaces, BasisTable& bases, const std::string& file,
+  SolverModel& model)
 {
   std::vector<const ElementBasis*> basis;
   basis.reserve(mesh.elements.size());
@@ -103,7 +109,7 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
   else
   {
     AssemblePlaneMap(basis, 3, gather, describe, model.mesh);
-    if (model.mesh.slab->inSpace)
+    if (model.mesh.slab->inSpace && !surfaces)
     {
       model.notes.push_back(file +
         ": its elements are triangles and quadrilaterals on a surface in space. Where the model "
@@ -129,7 +135,9 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
     model.notes.push_back(file + ": " + Counted(strangers, "element") + " of " +
       (mesh.dimension == 3 ? "surfaces" : "curves") +
       " with attributes are no face of an element of a " +
-      (mesh.dimension == 3 ? "volume." : "surface."));
+      (mesh.dimension == 3
+          ? "volume; --surface-elements reads the surfaces in place of the volumes."
+          : "surface."));
   }
   if (mesh.inSeveralGroups > 0)
   {
@@ -153,18 +161,19 @@ std::vector<double> ReadTimes(const std::vector<NamedText>& files, std::size_t p
   return StepsOf(FileSet(files, pieces).Views.Views()).times;
 }
 
-SolverModel Read(const std::vector<NamedText>& files, int step, bool wantMesh, std::size_t pieces)
+SolverModel Read(
+  const std::vector<NamedText>& files, int step, bool wantMesh, std::size_t pieces, bool surfaces)
 {
   FileSet set(files, pieces);
   SolverModel model;
   model.notes = set.Notes;
   const std::string& file = files.front().name;
-  MeshFile mesh = set.ReadMesh();
-  RequireSolids(mesh, file);
+  MeshFile mesh = set.ReadMesh(surfaces);
+  RequireElements(mesh, surfaces, file);
   BasisTable bases;
   if (wantMesh)
   {
-    AddMesh(mesh, bases, file, model);
+    AddMesh(mesh, surfaces, bases, file, model);
   }
   std::vector<double>().swap(mesh.positions); // with their memory
   const StepList steps = StepsOf(set.Views.Views());

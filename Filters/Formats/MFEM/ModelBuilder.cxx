@@ -7,6 +7,7 @@
 #include "Formats/FileText.h"
 #include "Formats/MFEM/FunctionSpace.h"
 #include "Formats/MFEM/Meshes/MeshFile.h"
+#include "Formats/MFEM/Text/QuadratureFile.h"
 
 #include <algorithm>
 #include <deque>
@@ -183,7 +184,8 @@ struct ModelBuilder::Source
 
 ModelBuilder::Source::Source(ModelBuilder& builder, const std::vector<GridFunctionFile>& files,
   const std::vector<std::string>& names)
-  : collection(ParseCollection(files[0].collection, builder.Pieces[0].file.dimension, names[0]))
+  : collection(ParseCollection(CollectionOf(files[0], builder.Pieces[0].file.dimension),
+      builder.Pieces[0].file.dimension, names[0]))
 {
   for (std::size_t p = 0; p < files.size(); ++p)
   {
@@ -195,6 +197,10 @@ ModelBuilder::Source::Source(ModelBuilder& builder, const std::vector<GridFuncti
         "); they are no pieces of one grid function.");
     }
     const MeshFile& mesh = builder.Pieces[p].file;
+    const auto isTensor = [](const Cell& cell)
+    { return cell.geometry == Geometry::Square || cell.geometry == Geometry::Cube; };
+    RequirePoints(
+      files[p], !builder.Nurbs && std::ranges::all_of(mesh.elements, isTensor), names[p]);
     static const Topology nothing;
     spaces.emplace_back(mesh, HasShared(collection) ? builder.EntitiesOf(p) : nothing, collection);
     const auto values = static_cast<std::int64_t>(files[p].values.size());

@@ -6,6 +6,7 @@
 #include "Formats/MFEM/ModelBuilder.h"
 #include "Formats/MFEM/Nurbs/NurbsMesh.h"
 #include "Formats/MFEM/Text/PieceNames.h"
+#include "Formats/MFEM/Text/QuadratureFile.h"
 #include "Formats/MFEM/Text/TextScanner.h"
 
 #include <algorithm>
@@ -38,9 +39,9 @@ bool BeginsData(std::string_view line)
 /// Whether a word may precede a mesh in a stream.
 bool IsStreamKeyword(std::string_view word)
 {
-  return word == "solution" || word == "mesh" || word == "fem3d_data" || word == "vfem3d_data" ||
-    word == "fem3d_gf_data" || word == "vfem3d_gf_data" || word == "fem3d_gf_data_keys" ||
-    word == "vfem3d_gf_data_keys";
+  return word == "solution" || word == "quadrature" || word == "mesh" || word == "fem3d_data" ||
+    word == "vfem3d_data" || word == "fem3d_gf_data" || word == "vfem3d_gf_data" ||
+    word == "fem3d_gf_data_keys" || word == "vfem3d_gf_data_keys";
 }
 
 /// Reads "parallel n i". `processes`: the number in earlier streams, 0 before the first one. Throws
@@ -61,16 +62,11 @@ StreamRank ReadStreamRank(TextScanner& scanner, int processes)
   return rank;
 }
 
-/// Reads the word before the mesh. Returns whether a grid function follows the mesh. Throws
-/// Unsupported for quadrature functions, InvalidData where this is not a stream.
+/// Reads the word before the mesh. Returns whether a grid function or a quadrature function follows
+/// the mesh. Throws InvalidData where this is not a stream.
 bool ReadStreamKeyword(TextScanner& scanner)
 {
   const std::string_view keyword = scanner.Peek();
-  if (keyword == "quadrature")
-  {
-    scanner.FailUnsupported("quadrature functions, which have values at points of their own, are "
-                            "not read; project the function to L2 and save that.");
-  }
   if (!IsStreamKeyword(keyword))
   {
     scanner.Fail("this is no GLVis stream: it should begin with 'solution' or 'mesh'.");
@@ -190,6 +186,13 @@ void AddField(ModelBuilder& builder, const std::vector<GridFunctionFile>& pieces
   if (complex == 0)
   {
     builder.AddField(pieces, files, name);
+    if (pieces.front().quadraturePoints != 0)
+    {
+      const std::string basis = DescribeQuadrature(pieces.front());
+      builder.Model.fields.back().basis = basis;
+      builder.Model.notes.push_back(
+        files.front() + ": " + basis + "; between them it is the polynomial through them.");
+    }
     return;
   }
   if (complex != std::ssize(pieces))
@@ -273,7 +276,7 @@ bool IsStream(std::string_view head)
   constexpr std::string_view kBlank = " \t\r\n";
   head.remove_prefix(std::min(head.find_first_not_of(kBlank), head.size()));
   const std::string_view word = head.substr(0, head.find_first_of(kBlank));
-  return word == "parallel" || word == "quadrature" || IsStreamKeyword(word);
+  return word == "parallel" || IsStreamKeyword(word);
 }
 
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions)

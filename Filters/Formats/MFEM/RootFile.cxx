@@ -4,8 +4,8 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
-#include "Formats/MFEM/Text/GridFunctionFile.h"
 #include "Formats/MFEM/Text/PieceNames.h"
+#include "Formats/MFEM/Text/QuadratureFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -108,26 +108,28 @@ SolverModel ReadRootFile(const std::string& path, const PieceOf& part)
       pieces.front() + "; copy all of the collection, and nothing else, into its folder.");
   }
   std::vector<std::string> functions;
-  std::vector<std::string> notes;
+  std::vector<std::string> quadratures;
   for (const RootFile::Field& field : root.fields)
   {
     // The tag "assoc" is not reliable: solvers also write it for grid functions of one value per
     // element.
     const FileText begin(at(field.path));
     TextScanner scanner({ at(field.path), begin.Get(), &begin });
-    if (!IsQuadratureFunction(scanner))
-    {
-      functions.push_back(at(field.path));
-    }
-    else
-    {
-      notes.push_back(path + ": '" + field.name +
-        "' is a quadrature function, which is not read; project it to L2 and save that.");
-    }
+    (IsQuadratureFunction(scanner) ? quadratures : functions).push_back(at(field.path));
   }
-  SolverModel model = ReadFiles(at(root.mesh), functions, part);
+  std::vector<std::string> all = functions;
+  all.insert(all.end(), quadratures.begin(), quadratures.end());
+  SolverModel model;
+  try
+  {
+    model = ReadFiles(at(root.mesh), all, part);
+  }
+  catch (const UnreadQuadrature& error)
+  {
+    model = ReadFiles(at(root.mesh), functions, part);
+    model.notes.push_back(std::string(error.what()) + " It is left out.");
+  }
   model.time = root.time;
-  model.notes.insert(model.notes.end(), notes.begin(), notes.end());
   return model;
 }
 } // namespace pixelexact::mfem

@@ -27,7 +27,7 @@ struct RootFile
 /// Throws InvalidData, naming the file and the entry.
 RootFile ParseRootFile(const NamedText& file);
 
-/// Reads the mesh and all grid functions of a cycle. Quadrature functions are left out, with a
-/// note. Throws as ReadFiles.
+/// Reads the mesh, all grid functions and quadrature functions of a cycle. Quadrature functions on
+/// other shapes than quadrilaterals and hexahedra are left out, with a note. Throws as ReadFiles.
 SolverModel ReadRootFile(const std::string& path, const PieceOf& part = {});
 } // namespace pixelexact::mfem

@@ -48,10 +48,11 @@ def _chosen(steps: list[float], time_step: int, mesh: Path) -> int:
     return time_step % len(steps)
 
 
-def as_high_order(grid: Any, progress: Progress = None) -> vtkHighOrderGrid:
+def as_high_order(grid: Any, progress: Progress = None, surface_elements: bool = False) -> vtkHighOrderGrid:
     """A vtkUnstructuredGrid as one with coefficients that fit: those that it carries, else converted."""
     if not vtkUnstructuredGridToHighOrderGrid.IsConverted(grid):
         converter = vtkUnstructuredGridToHighOrderGrid()
+        converter.SetSurfaceElements(surface_elements)
         converter.SetInputData(grid)
         run(converter, progress)
         grid = converter.GetOutput()
@@ -68,6 +69,7 @@ def read(
     *fields: Path,
     time_step: int = 0,
     cells: str = "lagrange",
+    surface_elements: bool = False,
     warp: Warp = None,
     warp_direction: Optional[Sequence[float]] = None,
     progress: Progress = None,
@@ -82,7 +84,8 @@ def read(
 
     time_step: counted from 0, or from the end where it is negative; see times. cells: which of VTK's
     cells the grid of a solver's own file has beside its coefficients, "lagrange" or "corners"
-    (vtkHighOrderFileReader.SetCells); "corners" takes the least memory. warp, warp_direction: as of
+    (vtkHighOrderFileReader.SetCells); "corners" takes the least memory. surface_elements: of a file
+    that mixes solids with triangles and quadrilaterals, read these in place of the solids. warp, warp_direction: as of
     cut; the grid is deformed. progress: a function of the part that is done; what it raises ends the
     work, and so does KeyboardInterrupt.
 
@@ -96,14 +99,14 @@ def read(
     steps = _times_of(names)
     step = _chosen(steps, time_step, mesh)
     try:
-        grid, notes = _run.read(names, step, cells == "corners", progress)
+        grid, notes = _run.read(names, step, cells == "corners", surface_elements, progress)
     except _run.CannotRead as error:
         raise Error(str(error)) from None
     for note in notes:
         warnings.warn(note, RuntimeWarning, stacklevel=2)
     if grid.GetNumberOfCells() == 0:
         raise Error(f"cannot read '{os.fspath(mesh)}': it holds no cells")
-    typed = as_high_order(grid, progress)
+    typed = as_high_order(grid, progress, surface_elements)
     if steps:
         typed.GetInformation().Set(typed.DATA_TIME_STEP(), steps[step])
     from ._warp import warped  # which imports this module

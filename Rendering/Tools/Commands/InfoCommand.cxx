@@ -170,7 +170,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     Listed(shapes));
   if (input.skippedCells > 0)
   {
-    table.Row("skipped", "{} of lower dimension", Counted(input.skippedCells, "cell"));
+    table.Row("skipped", "{} of another dimension", Counted(input.skippedCells, "cell"));
   }
   table.Row("geometry", "order {}{}", Text(facts.orders),
     facts.storedOrders.empty() || facts.storedOrders == facts.orders

@@ -15,7 +15,8 @@ InputGrid ReadExodusFile(const InputRequest& request)
   {
     return input;
   }
-  input.grid = ReadExodusGrid(PartsOf(meshes[step.mesh]), step.own, input.notes);
+  input.grid =
+    ReadExodusGrid(PartsOf(meshes[step.mesh]), step.own, request.surfaceElements, input.notes);
   if (meshes.size() == 1)
   {
     NoteOtherMeshes(meshes.front(), input.notes);

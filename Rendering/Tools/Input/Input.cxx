@@ -22,6 +22,8 @@
 #include <fstream>
 #include <new>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace pixelexact
 {
@@ -202,7 +204,7 @@ std::string RecognisedBy(const std::string& file)
   constexpr std::size_t kSignature = 4;
   const bool hasHead = begin.starts_with('<') || begin.starts_with("# vtk");
   std::string likely;
-  std::string looked;
+  std::vector<std::pair<std::string, std::string>> looked; // marks, and the formats that have them
   std::string_view last; // of the formats named, whose suffixes follow one another
   for (const Format& format : Formats())
   {
@@ -213,9 +215,15 @@ std::string RecognisedBy(const std::string& file)
         continue;
       }
       const std::string shown(mark, std::string_view(mark).find_last_not_of("\r\n ") + 1);
-      if (looked.find("'" + shown + "'") == std::string::npos)
+      const auto known =
+        std::ranges::find(looked, shown, &std::pair<std::string, std::string>::first);
+      if (known == looked.end())
       {
-        looked.append(looked.empty() ? "'" : ", '").append(shown).append("'");
+        looked.emplace_back(shown, format.name);
+      }
+      else if (!known->second.ends_with(format.name))
+      {
+        known->second.append("; ").append(format.name);
       }
       const std::size_t at = begin.find(mark);
       if (at <= kSignature || (at != std::string::npos && hasHead))
@@ -226,8 +234,17 @@ std::string RecognisedBy(const std::string& file)
       }
     }
   }
-  return likely.empty() ? "it begins with none of the marks " + looked
-                        : "it begins as files of " + likely + " do; give it such a suffix";
+  if (!likely.empty())
+  {
+    return "it begins as files of " + likely + " do; give it such a suffix";
+  }
+  std::string marks;
+  for (const auto& [mark, formats] : looked)
+  {
+    marks.append(marks.empty() ? "'" : ", '").append(mark).append("' (").append(formats);
+    marks.append(")");
+  }
+  return "it begins with none of the marks " + marks;
 }
 
 /// Reads the input without checking the result.

@@ -32,6 +32,7 @@ struct InputRequest
   bool gaussLobatto = false;        ///< where the nodes of VTK's Lagrange cells are, not equispaced
   std::optional<int> truncateOrder; ///< of all fields; none: they stay as they are
   bool mirroredWedges = false;      ///< MFEM's order of the nodes of VTK's Lagrange wedges
+  bool surfaceElements = false;     ///< of files that mix them with solids
   bool cornerCells = true;          ///< cells of solvers' grids; false: Lagrange cells
   std::optional<WarpRequest> warp;  ///< how the mesh is deformed; without a direction
   std::vector<double> warpDirection; ///< of a scalar's displacement; empty: none

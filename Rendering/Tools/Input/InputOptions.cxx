@@ -49,6 +49,7 @@ void InputRequest::AddTo(CLI::App& command)
   Bind(command, "--time", time);
   Bind(command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; });
   Bind(command, "--mirrored-wedges", mirroredWedges);
+  Bind(command, "--surface-elements", surfaceElements);
   Bind(command, "--warp",
     [this](const std::string& text) { ReadWarp("--warp", text, warp.emplace()); });
   Bind(command, "--warp-direction", warpDirection);

@@ -41,6 +41,12 @@ InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
       throw Error(error);
     }
   };
+  if (request.surfaceElements && vtkGmshReader::SafeDownCast(&reader) == nullptr)
+  {
+    CannotRead(request.files[0],
+      "files of its format hold elements of one kind; leave out --surface-elements (--boundary "
+      "shows the boundary of solids)");
+  }
   InputGrid input;
   reader.SetFileName(request.files[0].c_str());
   reader.SetCells(request.cornerCells ? vtkHighOrderFileReader::CORNER_CELLS
@@ -129,6 +135,7 @@ InputGrid ReadGlvisFile(const InputRequest& request)
 InputGrid ReadGmshFiles(const InputRequest& request)
 {
   vtkNew<vtkGmshReader> reader;
+  reader->SetSurfaceElements(request.surfaceElements);
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
     reader->AddViewFileName(request.files[i].c_str());

@@ -88,12 +88,19 @@ SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid, const HighOrderModel& m
   const bool sound = ids != nullptr && boundary != nullptr && names != nullptr &&
     ids->GetNumberOfValues() == names->GetNumberOfValues() &&
     boundary->GetNumberOfValues() == names->GetNumberOfValues();
+  const auto isOfFaces = [&](vtkIdType i) { return boundary->GetComponent(i, 0) != 0.0; };
+  // The faces of a surface in space are its elements, whose groups name them.
+  bool elementsNameFaces = false;
+  for (vtkIdType i = 0; sound && model.IsShell() && i < names->GetNumberOfValues(); ++i)
+  {
+    elementsNameFaces = elementsNameFaces || !isOfFaces(i);
+  }
   for (vtkIdType i = 0; sound && i < names->GetNumberOfValues(); ++i)
   {
-    if (!names->GetValue(i).empty())
+    if (!names->GetValue(i).empty() && !(elementsNameFaces && isOfFaces(i)))
     {
       facts.groups.push_back({ static_cast<int>(ids->GetComponent(i, 0)),
-        boundary->GetComponent(i, 0) != 0.0, names->GetValue(i) });
+        elementsNameFaces || isOfFaces(i), names->GetValue(i) });
     }
   }
   if (HasHighOrderArrays(&grid))

@@ -7,6 +7,7 @@
 
 #include "Files/GridParts.h"
 #include "Files/TimeSeries.h"
+#include "HighOrderArrays.h"
 
 #include <vtkUnstructuredGrid.h>
 
@@ -49,7 +50,13 @@ InputGrid ReadStep(
     return input;
   }
   const VtkMessages messages;
-  ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts, PartOfThisProcess());
+  ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts, PartOfThisProcess(),
+    request.surfaceElements);
+  if (request.surfaceElements && HasHighOrderArrays(read.grid))
+  {
+    CannotRead(request.files[0],
+      "it holds coefficients of its elements, which are of one kind; leave out --surface-elements");
+  }
   input.grid = read.grid;
   input.notes = std::move(read.notes);
   CheckMessages(messages, request.files[0], input.notes);

@@ -38,6 +38,8 @@ public:
   void Apply(int frame, InputRequest& input) const;
   /// The one of the two end scales that deforms more.
   [[nodiscard]] double LargestScale() const;
+  /// Whether the phase of complex fields changes.
+  [[nodiscard]] bool Phases() const { return Phase.has_value(); }
   [[nodiscard]] bool Turns() const { return Turn.has_value(); }
   /// A view that is turned about its view-up through `pivot`, against the clock seen from above.
   [[nodiscard]] CameraView ViewAt(int frame, const CameraView& first, const Vec3& pivot) const;

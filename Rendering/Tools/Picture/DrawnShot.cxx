@@ -38,7 +38,7 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   // The report states the range of visible values.
   const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs() | options.marks.Needs() |
-    options.arrows.Needs() | options.texture.Needs();
+    options.arrows.Needs() | options.dots.Needs() | options.texture.Needs();
   View view = ViewOf(options.shot.colors, &options.contours, shot);
   view.stride = options.quality.Stride();
   return AreSeveralProcesses() ? TraceTogether(view, others, progress)
@@ -172,6 +172,10 @@ DrawnShot::DrawnShot(
   {
     found_.arrows = options.arrows.Find(shot, Pixels);
   }
+  if (options.dots.IsAsked())
+  {
+    found_.dots = FieldDots::Find(shot, Pixels, *Colors);
+  }
   if (options.marks.IsAsked())
   {
     Extremes = ExtremeMarks::Find(shot);
@@ -228,6 +232,12 @@ void DrawnShot::DrawOn(Canvas& canvas) const
   canvas.MoveOrigin(corner[0], corner[1]);
   canvas.Place(Options.shot.colors.Flatten(Pixels));
   Over.Draw(canvas, Pixels.width, Pixels.height);
+  if (found_.dots)
+  {
+    canvas.Clip(Pixels.width, Pixels.height);
+    FieldDots::Draw(canvas, *found_.dots, Pixels.height);
+    canvas.Unclip();
+  }
   if (found_.arrows)
   {
     canvas.Clip(Pixels.width, Pixels.height);
@@ -322,7 +332,7 @@ ImageSize DrawnShot::Size() const
 Image DrawnShot::Picture() const
 {
   const ColorOptions& colors = Options.shot.colors;
-  if (!Of.layout && !found_.arrows)
+  if (!Of.layout && !found_.arrows && !found_.dots)
   {
     return colors.Flatten(Pixels);
   }

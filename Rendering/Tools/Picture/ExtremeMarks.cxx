@@ -64,30 +64,6 @@ std::optional<SurfaceExtremes> ExtremesOf(
   return DomainOfPatches(patches, clips, model).extremes(*layer.field, component);
 }
 
-/// Whether the picture shows another surface in front of a point.
-bool IsHidden(const Frame& frame, const ProjectedPoint& at, const Projection& projection)
-{
-  const auto x = static_cast<int>(std::floor(at.at[0]));
-  const auto y = static_cast<int>(std::floor(at.at[1]));
-  if (x < 0 || y < 0 || x >= frame.width || y >= frame.height)
-  {
-    return true;
-  }
-  // The surface may end or turn within the pixel: a neighbour may show it.
-  double farthest = -1.0;
-  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.height - 1); ++j)
-  {
-    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.width - 1); ++i)
-    {
-      const double depth =
-        frame.centres.depth[static_cast<std::size_t>(j) * static_cast<std::size_t>(frame.width) +
-          static_cast<std::size_t>(i)];
-      farthest = std::isnan(depth) ? kInfinity : std::max(farthest, depth);
-    }
-  }
-  return farthest < at.depth - kOwnDepth * projection.PixelAt(at.depth);
-}
-
 /// A rectangle of a picture.
 struct MarkBox
 {
@@ -148,6 +124,29 @@ void DrawLabel(Canvas& canvas, const MarkBox& box, const std::string& text)
   canvas.Write(text, box.left + 2.0, 0.5 * (box.bottom + box.top), TextAnchor::Left, kRing);
 }
 } // namespace
+
+bool IsHidden(const Frame& frame, const ProjectedPoint& at, const Projection& projection)
+{
+  const auto x = static_cast<int>(std::floor(at.at[0]));
+  const auto y = static_cast<int>(std::floor(at.at[1]));
+  if (x < 0 || y < 0 || x >= frame.width || y >= frame.height)
+  {
+    return true;
+  }
+  // The surface may end or turn within the pixel: a neighbour may show it.
+  double farthest = -1.0;
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.height - 1); ++j)
+  {
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.width - 1); ++i)
+    {
+      const double depth =
+        frame.centres.depth[static_cast<std::size_t>(j) * static_cast<std::size_t>(frame.width) +
+          static_cast<std::size_t>(i)];
+      farthest = std::isnan(depth) ? kInfinity : std::max(farthest, depth);
+    }
+  }
+  return farthest < at.depth - kOwnDepth * projection.PixelAt(at.depth);
+}
 
 std::vector<SurfaceExtremes> ExtremeMarks::Find(const Shot& shot)
 {

@@ -14,7 +14,14 @@
 namespace pixelexact
 {
 class Canvas;
+class Projection;
+struct ProjectedPoint;
 struct Shot;
+
+/// Whether the picture shows a surface in front of a point, or the point is outside of the picture.
+/// Reads depths of centres.
+[[nodiscard]] bool IsHidden(
+  const Frame& frame, const ProjectedPoint& at, const Projection& projection);
 
 /// Marks in a figure at the points where the field of a surface has its minimum and its maximum:
 /// --mark-extremes. A point that another surface hides has no mark.

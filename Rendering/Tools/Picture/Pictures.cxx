@@ -6,6 +6,7 @@
 #include "Picture/DrawnShot.h"
 #include "Picture/RenderOptions.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
 #include "Trace/Projection.h"
 #include "Trace/Surfaces/Plane.h"
@@ -88,6 +89,8 @@ Pictures::Pictures(const RenderOptions& options, Stopwatch& watch)
   const AnimationOptions& animation = Options.animation;
   Asked.alsoSeen = [&animation, outlined = Asked.alsoSeen](const Shot& shot)
   { return SeenOfAll(animation, shot, outlined); };
+  Asked.meshChanges =
+    Asked.input.allSteps || animation.Deforms() || (animation.Phases() && Asked.input.warp);
   if (animation.Deforms())
   {
     // The view is that of the mesh where it is deformed most.
@@ -99,6 +102,13 @@ Pictures::Pictures(const RenderOptions& options, Stopwatch& watch)
   }
   Now.emplace(Prepare(Asked, Watch));
   ++Reads;
+  if (Asked.meshChanges && !Asked.surfaces.AreGiven() && !Asked.HasVolumeAlone() &&
+    !SlabOf(Now->input.grid))
+  {
+    // All pictures have the plane of the first one, which the command names.
+    Asked.surfaces.AddFirst(
+      PlaneChoice::Read(PlaneChoice::ThroughTheMiddle().Numbers(BoxOf(*Now->input.model))));
+  }
   First = Now->view;
   Pivot = Pivoted();
   const auto steps = static_cast<int>(Now->input.times.size());

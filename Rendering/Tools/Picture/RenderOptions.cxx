@@ -45,6 +45,7 @@ void RenderOptions::AddTo(CLI::App& command)
   figure.AddTo(command);
   marks.AddTo(command);
   arrows.AddTo(command);
+  dots.AddTo(command);
   texture.AddTo(command);
   font.AddTo(command);
   outline.AddTo(command);
@@ -86,7 +87,7 @@ void RenderOptions::Check(const std::string& picture)
   }
   animation.Check(shot.input);
   shot.volume.Check(shot.HasVolumeAlone());
-  for (const char* option : { "--arrows", "--lic" })
+  for (const char* option : { "--arrows", "--lic", "--dots" })
   {
     if (shot.HasVolumeAlone() && IsGiven(*shot.command, option))
     {

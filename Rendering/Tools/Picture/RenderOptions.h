@@ -6,6 +6,7 @@
 #include "Picture/ContourFile.h"
 #include "Picture/ExtremeMarks.h"
 #include "Picture/FieldArrows.h"
+#include "Picture/FieldDots.h"
 #include "Picture/FieldTexture.h"
 #include "Picture/Figure.h"
 #include "Picture/MeshOutline.h"
@@ -32,6 +33,7 @@ struct RenderOptions
   FigureOptions figure;
   ExtremeMarks marks;
   FieldArrows arrows;
+  FieldDots dots;
   FieldTexture texture;
   FontOptions font;
   MeshOutline outline;

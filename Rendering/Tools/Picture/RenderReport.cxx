@@ -147,6 +147,11 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
       { "count", found.arrows->arrows.size() }, { "longest", found.arrows->longest },
       { "scale", found.arrows->scale } };
   }
+  if (found.dots)
+  {
+    summary["dots"] = { { "field", found.dots->field }, { "points", found.dots->points },
+      { "visible", found.dots->dots.size() } };
+  }
   if (found.texture)
   {
     summary["lic"] = { { "field", found.texture->field }, { "pixels", found.texture->pixels },

@@ -4,6 +4,7 @@
 #include "Base/Provenance.h"
 #include "Picture/ContourReport.h"
 #include "Picture/FieldArrows.h"
+#include "Picture/FieldDots.h"
 #include "Picture/FieldTexture.h"
 #include "Scene/LayerRanges.h"
 #include "Scene/QualitySettings.h"
@@ -30,6 +31,7 @@ struct Found
   QualityFacts quality;                        ///< what was given up for speed
   std::optional<VolumeCounters> volume;
   std::optional<FoundArrows> arrows;
+  std::optional<FoundDots> dots;
   std::optional<FoundTexture> texture;
 };
 

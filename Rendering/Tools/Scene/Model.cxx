@@ -74,6 +74,7 @@ void Convert(LoadedModel& input, const InputRequest& request, const std::string&
   const vtkSmartPointer<vtkUnstructuredGrid> source = input.grid;
   converter->SetInputData(source);
   converter->SetMirroredWedges(request.mirroredWedges);
+  converter->SetSurfaceElements(request.surfaceElements);
   if (request.gaussLobatto)
   {
     converter->SetNodePlacementToGaussLobatto();

@@ -7,6 +7,7 @@
 #include "Scene/Effects.h"
 #include "Scene/NeededElements.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Surfaces/NoSurface.h"
@@ -148,7 +149,11 @@ void ReportDefaults(const ShotOptions& options, Shot& shot)
   {
     shot.chosen.insert(shot.chosen.end(), { "--field", shot.input.model->Fields().front().name });
   }
-  if (!options.surfaces.AreGiven() && shot.input.model->IsShell())
+  if (!options.surfaces.AreGiven() && options.meshChanges && SlabOf(shot.input.grid))
+  {
+    Note("no surface was given; each picture shows its own mesh");
+  }
+  else if (!options.surfaces.AreGiven() && shot.input.model->IsShell())
   {
     shot.chosen.emplace_back("--boundary");
   }

@@ -57,6 +57,7 @@ struct ShotOptions
   std::string field;            ///< empty: the first one, where there is one
   std::optional<int> component; ///< none: the value of a scalar, the magnitude of a vector
   SurfaceOptions surfaces;
+  bool meshChanges = false; ///< between pictures; 2-D meshes may bend, so they have no common plane
   LayerOptions layers;
   CameraOptions camera;
   ColorOptions colors;

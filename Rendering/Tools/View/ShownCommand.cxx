@@ -41,7 +41,7 @@ void CheckForWindow(const RenderOptions& options)
   }
   std::vector<std::string> names;
   for (const char* name : { "--owners", "--show", "--mark-extremes", "--buffers",
-         "--contours-output", "--arrows", "--lic" })
+         "--contours-output", "--arrows", "--lic", "--dots" })
   {
     if (IsGiven(*options.shot.command, name))
     {

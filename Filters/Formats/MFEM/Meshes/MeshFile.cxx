@@ -64,6 +64,12 @@ void RefuseOthers(TextScanner& scanner)
   constexpr const char* kConvert =
     " mesh, which is not read; save it in MFEM's format (Mesh(\"a.mesh\").Save(\"b.mesh\")).";
   const std::string_view first = scanner.Peek();
+  if (first == "FiniteElementSpace" || first == "QuadratureSpace" ||
+    first.ends_with("GridFunction"))
+  {
+    scanner.Fail(
+      "this is a grid function, without its mesh; name the mesh before it (x.mesh u.gf).");
+  }
   if (first == "$MeshFormat")
   {
     scanner.FailUnsupported("this is a Gmsh mesh; give the file the suffix .msh.");
@@ -200,7 +206,9 @@ int ReadDimension(TextScanner& scanner)
   if (dimension != 2 && dimension != 3)
   {
     scanner.FailUnsupported("the mesh is " + std::to_string(dimension) +
-      "-dimensional; only two- and three-dimensional ones are read.");
+      "-dimensional; only two- and three-dimensional ones are read. Curves: save them with "
+      "Mesh::PrintVTU and make tubes of them (in ParaView: Extract Surface, Tube, Triangulate, "
+      "Append Datasets).");
   }
   return dimension;
 }

@@ -2,6 +2,7 @@
 #include "Formats/MFEM/Text/GridFunctionFile.h"
 
 #include "Core/Basis/Space.h"
+#include "Formats/MFEM/Text/QuadratureFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace pixelexact::mfem
 namespace
 {
 constexpr std::size_t kDefaultBytes = 16;
-constexpr int kMaxComponents = 1 << 16;
 
 std::vector<double> ReadNumbers(TextScanner& scanner)
 {
@@ -79,11 +79,6 @@ bool IsComplex(TextScanner& scanner)
 }
 } // namespace
 
-bool IsQuadratureFunction(TextScanner& scanner)
-{
-  return scanner.Peek() == "QuadratureSpace" || scanner.Peek() == "FaceQuadratureSpace";
-}
-
 GridFunctionFile ReadGridFunction(TextScanner& scanner)
 {
   if (IsComplex(scanner))
@@ -96,13 +91,11 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
 
 GridFunctionFile ReadAnyGridFunction(TextScanner& scanner)
 {
-  GridFunctionFile file;
   if (IsQuadratureFunction(scanner))
   {
-    scanner.FailUnsupported(
-      "quadrature functions, which have values at points of their own, are not "
-      "read; project the function to L2 and save that.");
+    return ReadQuadratureFunction(scanner);
   }
+  GridFunctionFile file;
   file.isComplex = IsComplex(scanner);
   if (file.isComplex)
   {

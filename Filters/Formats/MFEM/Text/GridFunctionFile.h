@@ -19,6 +19,9 @@ struct NurbsSections
   std::vector<double> weights; ///< per control point; empty: all are 1
 };
 
+/// The largest number of components (VDim) that is read.
+inline constexpr int kMaxComponents = 1 << 16;
+
 /// The contents of a grid function's file.
 struct GridFunctionFile
 {
@@ -28,18 +31,16 @@ struct GridFunctionFile
   std::vector<double> values;
   std::optional<NurbsSections> nurbs;
   bool byPatches = false; ///< NURBS: the values of each patch's control points, one after the other
-  bool isComplex = false; ///< the real parts of all unknowns, then the imaginary ones
+  int quadraturePoints = 0; ///< in each direction, of a quadrature function; 0: it is none
+  bool isComplex = false;   ///< the real parts of all unknowns, then the imaginary ones
 
   [[nodiscard]] bool IsNurbs() const { return collection.starts_with("NURBS"); }
 };
 
 /// Reads a header and all numbers after it. Throws Unsupported for a complex grid function.
 GridFunctionFile ReadGridFunction(TextScanner& scanner);
-/// The same for a grid function that may be complex.
+/// The same for a grid function that may be complex, or a quadrature function.
 GridFunctionFile ReadAnyGridFunction(TextScanner& scanner);
-
-/// Whether a quadrature function begins here. Its values are at quadrature points.
-bool IsQuadratureFunction(TextScanner& scanner);
 
 /// The real and the imaginary part of a complex grid function.
 std::pair<GridFunctionFile, GridFunctionFile> PartsOf(const GridFunctionFile& complex);
