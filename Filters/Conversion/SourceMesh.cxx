@@ -4,7 +4,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "Core/Basis/NoiseBound.h"
+#include "Core/Basis/ModeBound.h"
 #include "Core/Element/ElementUnits.h"
 #include "Core/Math/Rounding.h"
 #include "Formats/FileText.h"

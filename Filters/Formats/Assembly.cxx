@@ -2,7 +2,7 @@
 #include "Formats/Assembly.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Basis/NoiseBound.h"
+#include "Core/Basis/ModeBound.h"
 #include "Core/Basis/OrderReduction.h"
 #include "Core/Element/ElementUnits.h"
 #include "Core/Math/Rounding.h"

@@ -80,7 +80,7 @@ bool ProgressiveFrame::Refine(const Progress& progress, Deadline end)
   {
     const Clock clock(Spent);
     done = (Left != Stage::Centres || Pass(progress, end)) &&
-      (Left != Stage::Corners || MakeCorners(progress, end)) &&
+      (Left != Stage::PixelCorners || MakeCorners(progress, end)) &&
       (Left != Stage::Modules || RunModules(progress, end));
   }
   frame_.counters.seconds = Coarse.counters.seconds = Spent;
@@ -159,7 +159,7 @@ bool ProgressiveFrame::Pass(const Progress& progress, Deadline end)
   }
   Known = Next;
   Next = std::max(1, Known / kFiner);
-  BeginStage(Known == 1 ? Stage::Corners : Stage::Centres);
+  BeginStage(Known == 1 ? Stage::PixelCorners : Stage::Centres);
   return true;
 }
 
@@ -253,11 +253,11 @@ void ProgressiveFrame::Recolor(Pipeline pipeline, Buffer corners)
   {
     return;
   }
-  if (Left == Stage::Corners && !Done.empty())
+  if (Left == Stage::PixelCorners && !Done.empty())
   {
     frame_.corners = {};
   }
-  BeginStage(Stage::Corners);
+  BeginStage(Stage::PixelCorners);
 }
 
 double ProgressiveFrame::PartDone() const

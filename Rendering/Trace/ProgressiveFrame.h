@@ -74,7 +74,7 @@ private:
   enum class Stage
   {
     Centres,
-    Corners,
+    PixelCorners,
     Modules,
     Nothing
   };

@@ -2,7 +2,7 @@
 #include "MeshBuilder.h"
 
 #include "Core/Bernstein/BernsteinForm.h"
-#include "Core/Bernstein/SubdivisionKernels.h"
+#include "Core/Bernstein/SweepKernels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Basis/NoiseBound.h"
+#include "Core/Basis/ModeBound.h"
 
 #include <gtest/gtest.h>
 

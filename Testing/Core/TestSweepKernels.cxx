@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstructionSets.h"
 
-#include "Core/Bernstein/ExtremeKernels.h"
-#include "Core/Bernstein/SubdivisionKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 

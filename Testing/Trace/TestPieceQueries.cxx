@@ -5,8 +5,6 @@
 #include "RootReference.h"
 
 #include "Core/Tree/EtaBox.h"
-#include "Trace/Surfaces/Curved/AlongRayKernels.h"
-#include "Trace/Surfaces/Curved/CloserLookKernels.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
 #include "Trace/Surfaces/Curved/PieceSolver.h"
 

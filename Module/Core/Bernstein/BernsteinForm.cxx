@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/BernsteinForm.h"
 
-#include "Core/Bernstein/ExtremeKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 

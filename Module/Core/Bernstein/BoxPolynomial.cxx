@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/BoxPolynomial.h"
 
-#include "Core/Bernstein/ExtremeKernels.h"
-#include "Core/Bernstein/SubdivisionKernels.h"
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Math/Rounding.h"
 

@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "Core/Bernstein/SubdivisionKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Bernstein/SubdivisionKernels.h"
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Lanes-inl.h"
 
 #include <algorithm>

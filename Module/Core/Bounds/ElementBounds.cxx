@@ -4,7 +4,7 @@
 #include "Core/Basis/ModeBound.h"
 #include "Core/Bernstein/BernsteinForm.h"
 #include "Core/Bounds/Injectivity.h"
-#include "Core/Bounds/MapBend.h"
+#include "Core/Bounds/MapCurvature.h"
 #include "Core/Math/Mat.h"
 #include "Core/Math/Rounding.h"
 

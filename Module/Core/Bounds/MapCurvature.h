@@ -22,4 +22,8 @@ inline constexpr double kUnknownCurvature = 32.0;
 /// in units of the lesser of 1 and (1 - xi_3) / 2. Returns kUnknownCurvature where a Jacobian
 /// cannot be inverted.
 double MapCurvature(const Space& space, const double* coefficients);
+
+/// Computes InverseProblem::bend, a bound of the change of a map's Jacobian. `coefficients`: three
+/// components, in the element's units.
+double MapBend(const Space& space, const double* coefficients);
 } // namespace pixelexact

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Base/Verdict.h"
-#include "Core/Faces/FaceNumbers.h"
+#include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 
 #include <span>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Faces/FaceKind.h"
-#include "Core/Faces/FaceNumbers.h"
+#include "Core/Faces/FaceTable.h"
 #include "Core/Index/ElementIndex.h"
 
 #include <span>

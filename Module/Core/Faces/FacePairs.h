@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Faces/FaceNumbers.h"
+#include "Core/Faces/FaceTable.h"
 #include "Core/Faces/ReferenceFace.h"
 
 #include <optional>

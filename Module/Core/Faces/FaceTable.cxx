@@ -4,6 +4,7 @@
 #include "Core/Faces/FaceContacts.h"
 #include "Core/Faces/FacePairs.h"
 #include "Core/Faces/FaceSampler.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <tbb/parallel_for.h>
 
@@ -55,5 +56,15 @@ std::int64_t FaceTable::CountOf(FaceKind kind) const
 std::size_t FaceTable::MemoryUsage() const
 {
   return Numbers.MemoryUsage() + Neighbours.capacity() * sizeof(ElementFace) + Kinds.capacity();
+}
+
+FaceNumbers::FaceNumbers(const Mesh& mesh)
+  : First(static_cast<std::size_t>(mesh.Elements()) + 1)
+{
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    const auto at = static_cast<std::size_t>(e);
+    First[at + 1] = First[at] + FacesOf(mesh.ShapeOf(e)).size();
+  }
 }
 } // namespace pixelexact

@@ -1,14 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Faces/FaceKind.h"
-#include "Core/Faces/FaceNumbers.h"
+#include "Core/Element/Mesh.h"
 #include "Core/Index/ElementIndex.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace pixelexact
 {
+/// Classifies the elements behind a face.
+enum class FaceKind : std::uint8_t
+{
+  Boundary, ///< nothing: the mesh ends there
+  Interior, ///< one whole face of another element
+  Hanging,  ///< faces of other elements of which at least one is larger or smaller; all of it is
+            ///< covered
+  Partly    ///< other elements behind a part of it
+};
+
+/// A face of an element, numbered as in FacesOf(shape); element -1: none.
+struct ElementFace
+{
+  std::int32_t element = -1;
+  std::int32_t face = -1;
+
+  auto operator<=>(const ElementFace&) const = default;
+};
+
+/// The faces of all elements of a mesh, numbered through.
+class FaceNumbers
+{
+public:
+  explicit FaceNumbers(const Mesh& mesh);
+
+  [[nodiscard]] std::size_t Faces() const { return First.back(); }
+  [[nodiscard]] std::size_t NumberOf(int element, int face) const
+  {
+    return First[static_cast<std::size_t>(element)] + static_cast<std::size_t>(face);
+  }
+  [[nodiscard]] int FacesOfElement(int element) const
+  {
+    const auto e = static_cast<std::size_t>(element);
+    return static_cast<int>(First[e + 1] - First[e]);
+  }
+  [[nodiscard]] std::size_t MemoryUsage() const { return First.capacity() * sizeof(std::size_t); }
+
+private:
+  std::vector<std::size_t> First; ///< per element, and the number of all
+};
+
 /// Classifies what lies behind each face of each element, from the mesh's geometry alone: files
 /// need not state which elements are neighbours, and neighbours need not share nodes. See
 /// Documentation/curved-surfaces.md for the method, for what is compared and for what is not

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Contour/FaceOwner.h"
-#include "Core/Faces/FaceNumbers.h"
+#include "Core/Faces/FaceTable.h"
 #include "Core/Integral/ElementIntegral.h"
 
 #include <span>

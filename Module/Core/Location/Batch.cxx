@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
-#include "Core/Location/FoundPointKernels.h"
+#include "Core/Location/PointKernels.h"
 #include "Core/Location/RootCheck.h"
 #include "Core/Math/Rounding.h"
 

@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "Core/Location/FoundPointKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Location/FoundPointKernels.h"
+#include "Core/Location/PointKernels.h"
 #include "Core/Math/Lanes-inl.h"
 
 #include <algorithm>

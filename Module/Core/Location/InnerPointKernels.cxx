@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Guess-inl.h"
-#include "Core/Location/InnerPointKernels.h"
+#include "Core/Location/PointKernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE

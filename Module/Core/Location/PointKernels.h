@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Bounds/ElementBounds.h"
+#include "Core/Element/Kernels.h"
 
 #include <cstdint>
 
@@ -56,4 +57,26 @@ struct PointKernels
 };
 
 const PointKernels& GetPointKernels();
+
+// Processes whole packs of points after the inverse map.
+
+/// Lists which of `count` are not RootInside, in ascending order, and returns their number.
+int FindOthers(const double* status, int count, int* others);
+
+/// Moves xi, residuals and numbers of points with RootInside to the front, in order, fills the
+/// result's arrays up with the last to whole packs, and returns their number. Status and margins
+/// stay unchanged.
+int KeepInside(const InverseResult& result, int count, int* numbers);
+
+/// Returns those of at most 64 points y in the element's units, a bit each, for which the inverse
+/// map's first guess is far enough from the faces that the element most likely holds them. This is
+/// not a proof. None where the element has no guess, or a poor one.
+std::uint64_t FindInnerPoints(const ElementBounds& bounds, const InverseProblem& problem,
+  const LanePoints& y, std::uint64_t bits);
+
+/// Returns those of `count` roots, a bit each, at which Phi is y up to `mostMiss` times the
+/// uncertainty. `phi`: its three coordinates there and their nine derivatives. Stores the faces'
+/// tolerances: |J^-1| times the uncertainty; zero where J is singular.
+std::uint64_t CheckImages(const InverseProblem& problem, double mostMiss, int count,
+  const double* const phi[12], const double* const y[3], double* const tolerance[3]);
 } // namespace pixelexact

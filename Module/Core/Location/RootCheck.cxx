@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/RootCheck.h"
 
-#include "Core/Location/RootCheckKernels.h"
+#include "Core/Location/PointKernels.h"
 #include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Matrix-inl.h"
-#include "Core/Location/RootCheckKernels.h"
+#include "Core/Location/PointKernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE

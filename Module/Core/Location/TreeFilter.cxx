@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/TreeFilter.h"
 
-#include "Core/Location/InnerPointKernels.h"
+#include "Core/Location/PointKernels.h"
 #include "Core/Math/Bits.h"
 
 #include <algorithm>

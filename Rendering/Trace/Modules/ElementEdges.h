@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Faces/FaceKind.h"
+#include "Core/Faces/FaceTable.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Pipeline.h"
 

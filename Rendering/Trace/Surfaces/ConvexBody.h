@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Trace/Surfaces/AffineMap.h"
-#include "Trace/Surfaces/ConvexKernels.h"
 #include "Trace/Surfaces/Surface.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 #define HWY_TARGET_INCLUDE "Trace/Surfaces/ConvexKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Trace/Surfaces/ConvexKernels.h"
 #include "Trace/Surfaces/PairRay-inl.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE

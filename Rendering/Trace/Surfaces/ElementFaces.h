@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Faces/FaceNumbers.h"
+#include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 #include "Trace/Surfaces/Curved/PartSagitta.h"

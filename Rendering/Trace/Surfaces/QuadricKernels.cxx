@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Trace/Surfaces/PairRay-inl.h"
-#include "Trace/Surfaces/QuadricKernels.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Trace/Surfaces/Surface.h"
-#include "Trace/Surfaces/TorusKernels.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 namespace pixelexact
 {

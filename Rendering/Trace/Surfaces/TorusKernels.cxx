@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "Trace/Surfaces/TorusKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Trace/Surfaces/TorusKernels.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 #include "Trace/Surfaces/TorusQuartic-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -8,7 +8,7 @@
 #endif
 
 #include "Trace/Surfaces/Quartic-inl.h"
-#include "Trace/Surfaces/TorusKernels.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE

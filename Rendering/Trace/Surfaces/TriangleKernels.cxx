@@ -6,7 +6,7 @@
 #include "Core/Math/Pair-inl.h"
 #include "Trace/LanePoint-inl.h"
 #include "Trace/Surfaces/Curved/GatheredRays-inl.h"
-#include "Trace/Surfaces/TriangleKernels.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 #include <algorithm>
 

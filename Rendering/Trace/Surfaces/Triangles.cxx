@@ -5,7 +5,7 @@
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/Curved/BundleKernels.h"
 #include "Trace/Surfaces/Curved/PieceKernels.h"
-#include "Trace/Surfaces/TriangleKernels.h"
+#include "Trace/Surfaces/SurfaceKernels.h"
 
 #include <glm/geometric.hpp>
 

@@ -4,8 +4,8 @@
 #include <hwy/foreach_target.h>
 
 #include "Core/Math/Rounding.h"
-#include "Trace/Surfaces/Curved/AlongRayKernels.h"
 #include "Trace/Surfaces/Curved/LookEnds-inl.h"
+#include "Trace/Surfaces/Curved/LookKernels.h"
 #include "Trace/Surfaces/Curved/RayQuadratic-inl.h"
 
 #include <algorithm>

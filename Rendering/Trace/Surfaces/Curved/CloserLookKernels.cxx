@@ -3,9 +3,9 @@
 #define HWY_TARGET_INCLUDE "Trace/Surfaces/Curved/CloserLookKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Trace/Surfaces/Curved/CloserLookKernels.h"
 #include "Trace/Surfaces/Curved/CurvedEquations-inl.h"
 #include "Trace/Surfaces/Curved/LookEnds-inl.h"
+#include "Trace/Surfaces/Curved/LookKernels.h"
 
 #include <algorithm>
 #include <cmath>

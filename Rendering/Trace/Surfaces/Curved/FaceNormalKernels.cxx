@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Matrix-inl.h"
-#include "Trace/Surfaces/Curved/FaceNormalKernels.h"
+#include "Trace/Surfaces/Curved/FaceNormals.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE

@@ -6,7 +6,6 @@
 #include "Core/Math/Rounding.h"
 #include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/Curved/FaceModes.h"
-#include "Trace/Surfaces/Curved/FaceNormalKernels.h"
 
 #include <algorithm>
 #include <cmath>

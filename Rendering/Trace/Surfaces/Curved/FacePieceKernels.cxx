@@ -5,8 +5,8 @@
 
 #include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/Curved/FaceMath-inl.h"
-#include "Trace/Surfaces/Curved/FacePieceKernels.h"
 #include "Trace/Surfaces/Curved/GatheredRays-inl.h"
+#include "Trace/Surfaces/Curved/LookKernels.h"
 #include "Trace/Surfaces/Curved/PieceProof-inl.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "Core/Faces/FacePlane.h"
 #include "Core/Math/Rounding.h"
 #include "Trace/Scene.h"
-#include "Trace/Surfaces/Curved/PieceBend.h"
 #include "Trace/Surfaces/Curved/PieceCurvature.h"
 
 #include <algorithm>

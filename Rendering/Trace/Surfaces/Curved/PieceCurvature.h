@@ -29,4 +29,9 @@ private:
   std::array<Vec3, 8> Off; ///< xi at the corners minus the centre; bit d: the upper end along d
   Mat3 ToXi{ 0.0 }; ///< converts derivatives by the piece's coordinates in [-1, 1] to those by xi
 };
+
+/// Variation of the slopes over a piece, relative to the slopes: of a face's tangents and normal
+/// or, with a field, of the map and of the field's gradient. Infinite if there is no Jacobian,
+/// gradient or normal to compare with.
+[[nodiscard]] double BendOf(const CurvedPiece& piece, bool hasField);
 } // namespace pixelexact

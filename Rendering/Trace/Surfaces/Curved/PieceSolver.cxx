@@ -4,9 +4,6 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Trace/Scene.h"
-#include "Trace/Surfaces/Curved/AlongRayKernels.h"
-#include "Trace/Surfaces/Curved/CloserLookKernels.h"
-#include "Trace/Surfaces/Curved/FacePieceKernels.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
 
 #include <algorithm>
@@ -17,7 +14,7 @@ namespace pixelexact
 namespace
 {
 /// Rounding of the map, in the element's units, and of f, in those of the field.
-constexpr double kRounding = 1e-14;
+constexpr double kFrameRounding = 1e-14;
 /// Count of closer looks at a piece before it is subdivided.
 constexpr int kCloser = 3;
 
@@ -51,8 +48,8 @@ PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
     equation.mesh.centre[3 * e], equation.mesh.centre[3 * e + 1], equation.mesh.centre[3 * e + 2]);
   Frame.size = equation.mesh.size[e];
   Frame.inverseSize = 1.0 / Frame.size;
-  Frame.rounding = kRounding;
-  Frame.tolerance = 4.0 * equation.mesh.uncertainty[e] * Frame.inverseSize + kRounding;
+  Frame.rounding = kFrameRounding;
+  Frame.tolerance = 4.0 * equation.mesh.uncertainty[e] * Frame.inverseSize + kFrameRounding;
   Work.pairs.Clear();
 }
 
