@@ -262,7 +262,7 @@ std::vector<SpaceSamples> MakeSpaceSamples(const Mesh& mesh)
   return all;
 }
 
-struct Group
+struct SignedElements
 {
   int count = 0;
   std::int64_t first = -1;
@@ -270,7 +270,7 @@ struct Group
   void Add(std::int64_t cell) { first = count++ == 0 ? cell : first; }
 };
 
-std::string Sentence(const Group& group, int all, const std::string& what)
+std::string Sentence(const SignedElements& group, int all, const std::string& what)
 {
   return std::to_string(group.count) + " of " + std::to_string(all) + " elements " + what +
     " (first: cell " + std::to_string(group.first) + "; sampled, not proven).";
@@ -285,8 +285,8 @@ std::vector<std::string> DiagnoseJacobian(
   tbb::parallel_for(
     0, mesh.Elements(), [&](int e) { sign[e] = SignOf(mesh, e, samples[mesh.map.spaceOf[e]]); });
 
-  Group mixed;
-  std::array<std::array<Group, 2>, kShapeCount> oneSigned; // positive, negative
+  SignedElements mixed;
+  std::array<std::array<SignedElements, 2>, kShapeCount> oneSigned; // positive, negative
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     auto& group = sign[e] == Sign::Mixed
@@ -304,7 +304,7 @@ std::vector<std::string> DiagnoseJacobian(
   for (int s = 0; s < kShapeCount; ++s)
   {
     const auto& [positive, negative] = oneSigned[s];
-    const Group& fewer = positive.count < negative.count ? positive : negative;
+    const SignedElements& fewer = positive.count < negative.count ? positive : negative;
     if (fewer.count > 0)
     {
       lines.push_back(Sentence(fewer, positive.count + negative.count,

@@ -53,7 +53,7 @@ vtkIdType CornersOf(int type)
 }
 
 /// Corners of one cell.
-struct Corners
+struct CellCorners
 {
   Vec3 low{ INFINITY };
   Vec3 high{ -INFINITY };
@@ -127,7 +127,7 @@ private:
   };
   using Iterator = tbb::concurrent_vector<Entry>::iterator;
 
-  [[nodiscard]] bool ReadCorners(const CellPlace& place, vtkIdList& ids, Corners& corners) const
+  [[nodiscard]] bool ReadCorners(const CellPlace& place, vtkIdList& ids, CellCorners& corners) const
   {
     vtkUnstructuredGrid* grid = Grids[place.grid];
     const vtkIdType wanted = CornersOfType.at(grid->GetCellType(place.cell));
@@ -157,7 +157,7 @@ private:
         const vtkNew<vtkIdList> ids;
         for (vtkIdType cell = cells.begin(); cell < cells.end(); ++cell)
         {
-          Corners corners;
+          CellCorners corners;
           const CellPlace place{ grid, cell };
           if (ReadCorners(place, *ids, corners))
           {
@@ -204,8 +204,8 @@ private:
   [[nodiscard]] bool AreSame(const CellPlace& a, const CellPlace& b) const
   {
     const vtkNew<vtkIdList> ids;
-    Corners first;
-    Corners second;
+    CellCorners first;
+    CellCorners second;
     vtkUnstructuredGrid* grid = Grids[a.grid];
     vtkUnstructuredGrid* other = Grids[b.grid];
     if (grid->GetCellType(a.cell) != other->GetCellType(b.cell) ||

@@ -47,7 +47,7 @@ constexpr int kEdges[12][2] = { { 0, 0 }, { 1, 1 }, { 3, 0 }, { 0, 1 }, { 4, 0 }
   { 7, 0 }, { 4, 1 }, { 0, 2 }, { 1, 2 }, { 3, 2 }, { 2, 2 } };
 
 /// Cubes of one size.
-struct Grid
+struct CubeGrid
 {
   Vec3 origin;
   double side;
@@ -313,7 +313,7 @@ private:
   }
 
   const CutFunction& Cut;
-  Grid Cells;
+  CubeGrid Cells;
   int Subdivisions = 0;
   std::int64_t Nodes[3] = { 0, 0, 0 }; ///< of the smallest cubes
   std::vector<Place> Active;

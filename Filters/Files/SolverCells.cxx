@@ -115,7 +115,7 @@ private:
 };
 
 template <class Function>
-void ForElements(int begin, int end, Function&& function)
+void ForEachInParallel(int begin, int end, Function&& function)
 {
   tbb::parallel_for(tbb::blocked_range<int>(begin, end, 64),
     [&](const tbb::blocked_range<int>& range)
@@ -138,7 +138,7 @@ void ForBatches(int elements, Compute&& compute, Store&& store)
   for (int begin = 0; begin < elements; begin += kTogether)
   {
     const int end = std::min(elements, begin + kTogether);
-    ForElements(begin, end, [&](int e) { compute(e, static_cast<std::size_t>(e - begin)); });
+    ForEachInParallel(begin, end, [&](int e) { compute(e, static_cast<std::size_t>(e - begin)); });
     for (int e = begin; e < end; ++e)
     {
       store(e, static_cast<std::size_t>(e - begin));

@@ -1,10 +1,25 @@
 # What PIXELEXACT_JOINED_BUILD does: sources of a folder are compiled as one, so that what they include
-# is parsed once. Names in unnamed namespaces must therefore be unique within a folder.
+# is parsed once. Names in unnamed namespaces must therefore be unique within a folder, and within
+# folders that pixelexact_join_folders names together.
+
+# pixelexact_join_folders(UNIT FOLDERS...)
+#
+# Compiles the sources of these folders, relative to the current one, as one unit. It is called before
+# the targets of the sources are added.
+function(pixelexact_join_folders unit)
+  foreach(folder IN LISTS ARGN)
+    pixelexact_get_folder("${folder}/any.cxx" identifier is_kernel)
+    set_property(GLOBAL PROPERTY "PIXELEXACT_UNIT_OF_${identifier}" "${unit}")
+  endforeach()
+endfunction()
 
 # The folder of a source, as an identifier, and whether the source holds kernels.
 function(pixelexact_get_folder source folder_variable is_kernel_variable)
-  cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
-  file(STRINGS "${path}" kernel REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
+  cmake_path(ABSOLUTE_PATH source NORMALIZE OUTPUT_VARIABLE path)
+  set(kernel)
+  if(EXISTS "${path}")
+    file(STRINGS "${path}" kernel REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
+  endif()
   cmake_path(RELATIVE_PATH path BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
   cmake_path(GET folder PARENT_PATH folder)
   string(MAKE_C_IDENTIFIER "${folder}" folder)
@@ -34,7 +49,13 @@ function(pixelexact_join name)
   set(folders)
   foreach(source IN LISTS ARGN)
     pixelexact_get_folder("${source}" folder is_kernel)
-    if(NOT is_kernel)
+    if(is_kernel)
+      continue()
+    endif()
+    get_property(unit GLOBAL PROPERTY "PIXELEXACT_UNIT_OF_${folder}")
+    if(unit)
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${unit}")
+    else()
       list(APPEND folders ${folder})
       list(APPEND sources_${folder} "${source}")
     endif()

@@ -39,6 +39,15 @@ target_compile_options(PixelExactWarnings INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor
   $<$<BOOL:${PIXELEXACT_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# pixelexact_build_quickly(TARGET)
+#
+# What PIXELEXACT_QUICK_BUILD does, for targets that read, convert and write.
+function(pixelexact_build_quickly name)
+  if(PIXELEXACT_QUICK_BUILD)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
 # pixelexact_precompile(TARGET HEADERS...)
 #
 # Parses what most sources of a target include once, where each is compiled alone. Sources still

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Settings.h"
 
+#include "Core/Math/Rounding.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -8,7 +10,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Setting kSettings[] = {

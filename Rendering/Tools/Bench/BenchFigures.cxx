@@ -26,7 +26,7 @@ constexpr int kMaxElements = 1000000;
 /// Coefficients beyond this are not made: 2 GB.
 constexpr std::int64_t kMaxCoefficients = 250000000;
 
-struct Row
+struct BlockRow
 {
   BlockKind kind;
   ImageSize size{};
@@ -50,9 +50,9 @@ Camera FilledView(const Vec3& normal, const ImageSize& size)
   return { view, size.width, size.height };
 }
 
-Row Measure(const BlockKind& kind, const ImageSize& size, const BenchFigureOptions& options)
+BlockRow Measure(const BlockKind& kind, const ImageSize& size, const BenchFigureOptions& options)
 {
-  Row row;
+  BlockRow row;
   row.kind = kind;
   row.size = size;
   const MadeBlock block(kind);
@@ -92,7 +92,7 @@ double KernelPerPoint(const FrameTime& time)
   return time.points > 0 ? 1e9 * time.Kernel() / static_cast<double>(time.points) : 0.0;
 }
 
-void Print(const Row& row)
+void PrintBlock(const BlockRow& row)
 {
   const std::string size = fmt::format("{}x{}", row.size.width, row.size.height);
   fmt::print("{:12} {:8} {:5} {:8} {:>10} {:9} {:8.1f} {:7.1f} {:6.1f} {:8.1f} {:6.1f} {:7.1f} "
@@ -104,7 +104,7 @@ void Print(const Row& row)
   FlushOutput();
 }
 
-nlohmann::ordered_json Summary(const Row& row)
+nlohmann::ordered_json Summary(const BlockRow& row)
 {
   return { { "shape", row.kind.mixed ? "mixed" : Name(row.kind.shape) },
     { "curved", row.kind.curved }, { "order", row.kind.order }, { "elements", row.elements },
@@ -220,14 +220,14 @@ void RunFigures(const BenchFigureOptions& options)
     {
       continue;
     }
-    const Row row = Measure(kind, size, options);
+    const BlockRow row = Measure(kind, size, options);
     if (options.json)
     {
       rows.push_back(Summary(row));
     }
     else
     {
-      Print(row);
+      PrintBlock(row);
     }
   }
   if (options.json)

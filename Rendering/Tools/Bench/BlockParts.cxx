@@ -8,7 +8,7 @@ namespace pixelexact
 {
 namespace
 {
-using Corners = std::vector<Vec3>;
+using PartCorners = std::vector<Vec3>;
 
 /// Corners of the unit cube's parts. Hexahedron: 8, x fastest. Prism: the triangle of (xi1, xi3),
 /// then the same at the other end of xi2. Pyramid: the base, xi1 fastest, and the apex.
@@ -40,8 +40,8 @@ std::vector<std::vector<Vec3>> PartsOfCube(Shape shape)
         const bool even = (a == 1 && b == 2) || (a == 2 && b == 4) || (a == 4 && b == 1);
         const Vec3 first = corner(a);
         const Vec3 second = corner(a + b);
-        parts.push_back(even ? Corners{ corner(0), first, second, corner(7) }
-                             : Corners{ corner(0), second, first, corner(7) });
+        parts.push_back(even ? PartCorners{ corner(0), first, second, corner(7) }
+                             : PartCorners{ corner(0), second, first, corner(7) });
       }
       break;
     default:
@@ -54,8 +54,8 @@ std::vector<std::vector<Vec3>> PartsOfCube(Shape shape)
           const int at = end << axis;
           // The base's second direction turns with its end: no map is mirrored.
           parts.push_back(end == 0
-              ? Corners{ corner(at), corner(at + u), corner(at + v), corner(at + u + v) }
-              : Corners{ corner(at), corner(at + v), corner(at + u), corner(at + u + v) });
+              ? PartCorners{ corner(at), corner(at + u), corner(at + v), corner(at + u + v) }
+              : PartCorners{ corner(at), corner(at + v), corner(at + u), corner(at + u + v) });
           parts.back().emplace_back(0.5);
         }
       }
@@ -106,13 +106,13 @@ void CornerFunctions(Shape shape, const LongVec3& xi, long double* value)
 
 /// The images of the origin and the axes, for a part that is an affine image of the reference shape
 /// with corners at 0 and 1.
-struct AffineMap
+struct CornerMap
 {
   Vec3 origin;
   Vec3 axis[3];
 };
 
-AffineMap AffineMapOf(Shape shape, const Corners& c)
+CornerMap CornerMapOf(Shape shape, const PartCorners& c)
 {
   switch (shape)
   {
@@ -198,7 +198,7 @@ BlockParts::BlockParts(Shape shape, bool curved)
 
 std::vector<Vec3> BlockParts::SourceValues(int part, const Vec3& at, int side) const
 {
-  const Corners& corners = OfCube[static_cast<std::size_t>(part)];
+  const PartCorners& corners = OfCube[static_cast<std::size_t>(part)];
   const auto toWorld = [side](const Vec3& lattice) { return 2.0 / side * lattice - 1.0; };
   std::vector<Vec3> values;
   if (!Curved)
@@ -209,7 +209,7 @@ std::vector<Vec3> BlockParts::SourceValues(int part, const Vec3& at, int side) c
     }
     return values;
   }
-  const AffineMap frame = AffineMapOf(shape_, corners);
+  const CornerMap frame = CornerMapOf(shape_, corners);
   for (const auto& [i, j, k] : CubicLattice())
   {
     values.push_back(Bend(toWorld(at + frame.origin +

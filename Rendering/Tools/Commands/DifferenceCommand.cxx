@@ -27,8 +27,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kPlotWidth = 1100;
-constexpr int kPlotHeight = 720;
 
 /// The options of the picture inside the figure.
 ShotOptions OfPicture(const ShotOptions& shot, const DifferenceOptions& difference)

@@ -75,8 +75,8 @@ void NameEmptyRanges(vtkPointData& data)
     array->GetRange(lengths.data(), -1);
     if (!(lengths[0] <= lengths[1]))
     {
-      constexpr std::array<double, 2> kNone{ 1.0, -1.0 };
-      array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), kNone.data(), 2);
+      constexpr std::array<double, 2> kEmptyRange{ 1.0, -1.0 };
+      array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), kEmptyRange.data(), 2);
     }
   }
 }

@@ -15,6 +15,10 @@ namespace pixelexact
 {
 class Canvas;
 
+/// Width and height of the plots that commands write beside their reports, in pixels.
+inline constexpr int kPlotWidth = 1100;
+inline constexpr int kPlotHeight = 720;
+
 /// A plot of lines, points or bars over linear or logarithmic axes.
 struct Plot
 {

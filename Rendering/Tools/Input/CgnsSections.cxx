@@ -10,7 +10,7 @@ namespace pixelexact
 {
 namespace
 {
-using Name = std::array<char, 65>; // longer than the library's
+using SectionName = std::array<char, 65>; // longer than the library's
 
 /// Corners of elements that may be sides; 0: it is none. Of each kind they come first.
 int CornersOf(CGNS_ENUMT(ElementType_t) type)
@@ -105,7 +105,7 @@ CgnsAnswer ReadCgnsSections(
   for (int s = 1; s <= count; ++s)
   {
     Section section;
-    Name name{};
+    SectionName name{};
     cgsize_t first = 0;
     cgsize_t last = 0;
     cgsize_t size = 0;

@@ -110,7 +110,7 @@ bool HasRoom(const FigureLayout& layout)
 }
 
 /// Texts of --axes, in the order of FigureOptions::Axes.
-constexpr std::array kAxes{ "coordinates", "directions", "none" };
+constexpr std::array kAxesWords{ "coordinates", "directions", "none" };
 } // namespace
 
 void FigureOptions::AddTo(CLI::App& command)
@@ -122,7 +122,7 @@ void FigureOptions::AddTo(CLI::App& command)
   Bind(command, "--length-unit", LengthUnit);
   Bind(command, "--axes",
     [this](const std::string& text)
-    { Which = static_cast<Axes>(std::ranges::find(kAxes, text) - kAxes.begin()); });
+    { Which = static_cast<Axes>(std::ranges::find(kAxesWords, text) - kAxesWords.begin()); });
   Bind(command, "--bar-ticks",
     [this](const std::string& text)
     {

@@ -18,7 +18,7 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kName = "--plane";
-constexpr std::string_view kAxes = "xyz";
+constexpr std::string_view kAxisLetters = "xyz";
 /// Sides of a box that differ by less are alike.
 constexpr double kAlike = 0.01;
 
@@ -51,9 +51,9 @@ int ShortestSide(const Vec3& sides)
 PlaneChoice PlaneChoice::Read(const std::string& text)
 {
   PlaneChoice choice;
-  if (!text.empty() && kAxes.find(text.front()) != std::string_view::npos)
+  if (!text.empty() && kAxisLetters.find(text.front()) != std::string_view::npos)
   {
-    choice.Axis = static_cast<int>(kAxes.find(text.front()));
+    choice.Axis = static_cast<int>(kAxisLetters.find(text.front()));
     std::string_view rest = std::string_view(text).substr(1);
     if (rest.empty())
     {

@@ -20,7 +20,7 @@ struct ServingOptions
 /// Reads the input, prints the page's address to stdout, and serves it until the process gets
 /// SIGINT or SIGTERM, or its input ends. `words`: of the command line, from PrepareWords. Throws
 /// UsageError and Error as render, and Error where it cannot listen, or the program was built
-/// without libwebsockets.
+/// without the page.
 void Serve(
   RenderOptions options, const ServingOptions& serving, const std::vector<std::string>& words);
 } // namespace pixelexact

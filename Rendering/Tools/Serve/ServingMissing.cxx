@@ -10,7 +10,7 @@ namespace pixelexact
 void Serve(RenderOptions /*options*/, const ServingOptions& /*serving*/,
   const std::vector<std::string>& /*words*/)
 {
-  throw Error("serve: this program was built without libwebsockets; install libwebsockets-dev and "
-              "build it, or use render or view");
+  throw Error("serve: this program was built without the page; install libwebsockets-dev and build "
+              "with cmake --preset release, or use render");
 }
 } // namespace pixelexact

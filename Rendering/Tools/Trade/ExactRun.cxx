@@ -21,7 +21,7 @@ namespace pixelexact
 namespace
 {
 /// The changes of a frame by one of the exact side's settings.
-struct ExactSetting
+struct ExactVariant
 {
   const char* name;
   Precision precision = Precision::Double;
@@ -40,9 +40,9 @@ ContourMethod Frugal()
   return method;
 }
 
-const std::vector<ExactSetting>& ExactSettings()
+const std::vector<ExactVariant>& ExactVariants()
 {
-  static const std::vector<ExactSetting> all{ { "exact" }, { "exact-float", Precision::Float },
+  static const std::vector<ExactVariant> all{ { "exact" }, { "exact-float", Precision::Float },
     { "exact-stride-2", Precision::Double, 2 }, { "exact-stride-4", Precision::Double, 4 },
     { "exact-stride-8", Precision::Double, 8 }, { "exact-samples-4", Precision::Double, 1, 4 },
     { "exact-contours-frugal", Precision::Double, 1, 1, Frugal(), true },
@@ -54,7 +54,7 @@ const std::vector<ExactSetting>& ExactSettings()
 class ExactRun final : public TradeRun
 {
 public:
-  ExactRun(const TradeScene& scene, const ExactSetting& exact, std::optional<int> order)
+  ExactRun(const TradeScene& scene, const ExactVariant& exact, std::optional<int> order)
     : scene_(scene)
     , setting_(exact)
     , Order(order)
@@ -146,7 +146,7 @@ private:
   }
 
   const TradeScene& scene_;
-  const ExactSetting& setting_;
+  const ExactVariant& setting_;
   std::optional<int> Order;
   std::unique_ptr<Painter> Paints;
   Frame frame_;
@@ -156,11 +156,11 @@ private:
 std::vector<TradeSetting> ExactSettings(bool contours, const std::vector<int>& orders)
 {
   std::vector<TradeSetting> settings;
-  for (std::size_t k = 0; k < ExactSettings().size(); ++k)
+  for (std::size_t k = 0; k < ExactVariants().size(); ++k)
   {
-    if (contours || !ExactSettings()[k].ofContours)
+    if (contours || !ExactVariants()[k].ofContours)
     {
-      settings.push_back({ ExactSettings()[k].name, TradeFamily::Exact, static_cast<int>(k), 0.0 });
+      settings.push_back({ ExactVariants()[k].name, TradeFamily::Exact, static_cast<int>(k), 0.0 });
     }
   }
   for (const int order : orders)
@@ -177,13 +177,13 @@ bool HasOwnValues(const TradeSetting& setting)
   {
     return true;
   }
-  const ExactSetting& exact = ExactSettings()[static_cast<std::size_t>(setting.number)];
+  const ExactVariant& exact = ExactVariants()[static_cast<std::size_t>(setting.number)];
   return !exact.ofContours && exact.samples == 1;
 }
 
 std::unique_ptr<TradeRun> MakeExactRun(const TradeScene& scene, const TradeSetting& setting)
 {
   return std::make_unique<ExactRun>(
-    scene, ExactSettings()[static_cast<std::size_t>(setting.number)], setting.order);
+    scene, ExactVariants()[static_cast<std::size_t>(setting.number)], setting.order);
 }
 } // namespace pixelexact

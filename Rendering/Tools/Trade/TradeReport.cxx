@@ -5,6 +5,7 @@
 #include "Base/Report.h"
 #include "Drawing/ImageFile.h"
 #include "Drawing/Picture.h"
+#include "Drawing/Plot.h"
 #include "Scene/Shot.h"
 #include "Trade/TradePage.h"
 #include "Trade/TradeRows.h"
@@ -90,8 +91,6 @@ std::vector<std::uint8_t> PaintErrors(const Picture& truth, const Picture& pictu
 
 namespace
 {
-constexpr int kPlotWidth = 1100;
-constexpr int kPlotHeight = 720;
 
 std::string Percent(std::int64_t count, std::int64_t of)
 {

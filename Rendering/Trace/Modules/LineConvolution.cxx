@@ -30,14 +30,14 @@ namespace
 constexpr int kServed = 60;
 /// Seeds of one pass are this far apart in both directions.
 constexpr int kSeedSpacing = 8;
-constexpr std::size_t kBatch = 1024;
+constexpr std::size_t kVectorsPerBatch = 1024;
 /// A step leaves the surface if it is so many times as long as the field's direction says, or
 /// leaves the tangential plane by such a part of a pixel.
 constexpr double kMaxStep = 4.0;
 constexpr double kMaxOffset = 0.5;
 /// Part of a vector that may remain of its tangential part by rounding where it is normal to the
 /// surface.
-constexpr double kRounding = 1e-12;
+constexpr double kVectorRounding = 1e-12;
 /// Standard deviation of the texture.
 constexpr double kDeviation = 0.22;
 
@@ -78,13 +78,14 @@ public:
   /// Fills all members but `at`.
   void Evaluate(std::span<StreamPoint> points) const
   {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (points.size() + kBatch - 1) / kBatch),
+    tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, (points.size() + kVectorsPerBatch - 1) / kVectorsPerBatch),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
         for (std::size_t batch = range.begin(); batch < range.end(); ++batch)
         {
-          const std::size_t first = batch * kBatch;
-          EvaluateBatch(points.subspan(first, std::min(kBatch, points.size() - first)));
+          const std::size_t first = batch * kVectorsPerBatch;
+          EvaluateBatch(points.subspan(first, std::min(kVectorsPerBatch, points.size() - first)));
         }
       });
   }
@@ -156,7 +157,7 @@ private:
       point.layer = samples.layer[which[k]];
       point.normal = normals[k];
       const Vec3 tangent = vector - glm::dot(vector, normals[k]) * normals[k];
-      SetDirection(x[k], tangent, kRounding * glm::length(vector), point);
+      SetDirection(x[k], tangent, kVectorRounding * glm::length(vector), point);
     }
   }
 

@@ -17,7 +17,7 @@ namespace pixelexact
 namespace
 {
 /// Relative to values: far above the errors of evaluation and of a hit's place.
-constexpr double kRounding = 1e-9;
+constexpr double kJumpRounding = 1e-9;
 
 std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const CurvedPart> parts)
 {
@@ -102,7 +102,7 @@ std::vector<int> JumpWalls::SidesAt(int element, std::span<const Vec3> xi) const
     const double value =
       Sought.component == kMagnitude ? length : of[static_cast<std::size_t>(Sought.component)];
     const double off = value - Sought.value;
-    const double least = kRounding * (length + std::fabs(Sought.value));
+    const double least = kJumpRounding * (length + std::fabs(Sought.value));
     sides[i] = off > least ? 1 : off < -least ? -1 : 0;
   }
   return sides;

@@ -205,7 +205,7 @@ bool IsSame(const VectorUnknown& a, const VectorUnknown& b)
     near(a.direction[0], b.direction[0]) && near(a.direction[1], b.direction[1]);
 }
 
-Products Split(
+Products SplitByDirection(
   const std::vector<VectorUnknown>& unknowns, bool upright, std::vector<long double> points)
 {
   Products products;
@@ -307,8 +307,8 @@ ElementBasis PrismVectors(const CollectionName& name, const std::vector<VectorUn
   const int p = name.order;
   const auto open = UnitPoints(LineBasis::GaussLegendre, curl ? p : p + 1);
   const auto closed = UnitPoints(LineBasis::GaussLobatto, curl ? p + 1 : p + 2);
-  const Products lying = Split(unknowns, false, curl ? closed : open);
-  const Products upright = Split(unknowns, true, curl ? open : closed);
+  const Products lying = SplitByDirection(unknowns, false, curl ? closed : open);
+  const Products upright = SplitByDirection(unknowns, true, curl ? open : closed);
   const Space space = UniformSpace(Shape::Prism, curl ? p : p + 1);
   // From MFEM's unit prism to ours: x along xi1, z against xi2, y along xi3.
   const long double weight = curl ? 1 / 2.0L : 1 / 4.0L;

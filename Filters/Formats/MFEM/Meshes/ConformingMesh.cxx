@@ -11,7 +11,6 @@ namespace pixelexact::mfem
 namespace
 {
 constexpr std::size_t kShortestCell = 6; ///< "1 1 0 1" at a line's end
-constexpr int kMaxVertices = 1 << 30;
 
 /// The sections before the vertices that were read.
 struct Sections

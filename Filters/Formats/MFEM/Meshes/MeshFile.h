@@ -50,6 +50,9 @@ struct MeshPiece
   std::string name;
 };
 
+/// More vertices are refused: their numbers are ints.
+inline constexpr int kMaxVertices = 1 << 30;
+
 /// Reads an element or a boundary element of `dimension` 1 to 3: attribute, geometry, and vertices,
 /// which must be below `vertices`.
 Cell ReadCell(TextScanner& scanner, int vertices, int dimension);

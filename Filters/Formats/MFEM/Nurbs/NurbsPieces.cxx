@@ -14,7 +14,7 @@ namespace pixelexact::mfem
 namespace
 {
 /// More than any file lists, and its square fits 64 bits.
-constexpr std::int64_t kMaxElements = std::int64_t{ 1 } << 31U;
+constexpr std::int64_t kMaxPatchElements = std::int64_t{ 1 } << 31U;
 constexpr const char* kOfDifferentRuns =
   "; they are of different meshes or runs: remove what an earlier one has left.";
 
@@ -35,7 +35,7 @@ std::int64_t ElementCount(const NurbsMesh& mesh)
     for (int d = 0; d < mesh.topology.dimension; ++d)
     {
       inPatch *= std::ssize(mesh.vectors[static_cast<std::size_t>(lines.at(d).vector)].Spans());
-      inPatch = std::min(inPatch, kMaxElements);
+      inPatch = std::min(inPatch, kMaxPatchElements);
     }
     count += inPatch;
   }

@@ -154,8 +154,7 @@ void OrientKnotVectors(const TextScanner& scanner, PatchTopology& topology)
   }
 }
 
-constexpr int kMaxVertices = 1 << 30;
-constexpr std::size_t kShortestCell = 8;
+constexpr std::size_t kShortestPatch = 8;
 constexpr int kNone = -1;
 
 std::span<const int> VerticesOf(const Cell& cell)
@@ -165,7 +164,7 @@ std::span<const int> VerticesOf(const Cell& cell)
 
 std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, Geometry geometry)
 {
-  const int count = scanner.Count(what, kShortestCell);
+  const int count = scanner.Count(what, kShortestPatch);
   const int dimension = geometry == Geometry::Cube ? 3 : geometry == Geometry::Square ? 2 : 1;
   std::vector<Cell> cells;
   for (int i = 0; i < count; ++i)

@@ -10,7 +10,7 @@ namespace
 {
 constexpr int kMaxQuadratureOrder = 1 << 10;
 constexpr std::string_view kOnElements = "QuadratureSpace";
-constexpr std::string_view kOnFaces = "FaceQuadratureSpace";
+constexpr std::string_view kFacePoints = "FaceQuadratureSpace";
 
 /// The Gauss-Legendre points in a direction with which polynomials of this order are integrated
 /// exactly.
@@ -22,12 +22,12 @@ int PointsOf(int order)
 
 bool IsQuadratureFunction(TextScanner& scanner)
 {
-  return scanner.Peek() == kOnElements || scanner.Peek() == kOnFaces;
+  return scanner.Peek() == kOnElements || scanner.Peek() == kFacePoints;
 }
 
 GridFunctionFile ReadQuadratureFunction(TextScanner& scanner)
 {
-  if (scanner.Peek() == kOnFaces)
+  if (scanner.Peek() == kFacePoints)
   {
     scanner.FailUnsupported("quadrature functions on faces are not read; project the function to "
                             "L2 and save that.");

@@ -75,7 +75,7 @@ LineFunctions LineOf(const std::string& family, int count)
 }
 
 /// Across a slab.
-LineFunctions Constant()
+LineFunctions ConstantLine()
 {
   return { 1, [](long double /*z*/, long double* value) { *value = 1.0L; } };
 }
@@ -87,7 +87,7 @@ ChangeOfBasis HexahedronChange(const Expansion3& expansion)
   for (int d = 0; d < 3; ++d)
   {
     space.order[d] = static_cast<std::uint8_t>(expansion.count[d] - 1);
-    lines[d] = expansion.families[d].empty() ? Constant()
+    lines[d] = expansion.families[d].empty() ? ConstantLine()
                                              : LineOf(expansion.families[d], expansion.count[d]);
   }
   const auto& n = expansion.count;

@@ -17,12 +17,12 @@ namespace pixelexact::nektar
 {
 namespace
 {
-struct Constant
+struct NamedConstant
 {
   std::string_view name;
   double value;
 };
-constexpr Constant kConstants[] = {
+constexpr NamedConstant kNamedConstants[] = {
   { "MEANINGLESS", 0.0 },
   { "E", std::numbers::e },
   { "LOG2E", std::numbers::log2e },
@@ -84,8 +84,8 @@ constexpr Function2 kFunctions2[] = {
 /// A constant of Nektar++'s expressions, or nothing.
 std::optional<double> ConstantNamed(std::string_view name)
 {
-  const auto* found = std::ranges::find(kConstants, name, &Constant::name);
-  return found != std::end(kConstants) ? std::optional(found->value) : std::nullopt;
+  const auto* found = std::ranges::find(kNamedConstants, name, &NamedConstant::name);
+  return found != std::end(kNamedConstants) ? std::optional(found->value) : std::nullopt;
 }
 
 /// The value of a function of Nektar++'s expressions; nothing where none has this name and number
@@ -199,7 +199,7 @@ struct Power : peg::one<'^'>
 {
   static double Of(double a, double b) { return std::pow(a, b); }
 };
-struct Equal : peg::string<'=', '='>
+struct EqualSign : peg::string<'=', '='>
 {
   static double Of(double a, double b) { return a == b ? 1.0 : 0.0; }
 };
@@ -248,7 +248,7 @@ struct Sum : Rank<Term, Plus, Minus>
 struct Inequality : Rank<Sum, AtMost, AtLeast, Less, More>
 {
 };
-struct Comparison : Rank<Inequality, Equal>
+struct Comparison : Rank<Inequality, EqualSign>
 {
 };
 struct Grammar : peg::seq<Blanks, Comparison, peg::must<peg::eof>>

@@ -80,7 +80,7 @@ public:
 private:
   void ReadLengths()
   {
-    constexpr double kLongest = 1e150; // a size must have a square
+    constexpr double kMaxLength = 1e150; // a size must have a square
     const auto words = SplitAtCommas(Node.attribute("HOMOGENEOUSLENGTHS").value());
     std::vector<double*> lengths;
     if (Result.along.y)
@@ -91,7 +91,7 @@ private:
     bool sound = words.size() == lengths.size();
     for (std::size_t k = 0; sound && k < words.size(); ++k)
     {
-      sound = ParseWhole(words[k], *lengths[k]) && *lengths[k] > 0.0 && *lengths[k] <= kLongest;
+      sound = ParseWhole(words[k], *lengths[k]) && *lengths[k] > 0.0 && *lengths[k] <= kMaxLength;
     }
     if (!sound)
     {

@@ -37,7 +37,7 @@ std::optional<Space> SpaceOn(const Space& space, const FaceChart& chart)
 }
 
 /// The largest magnitude of each mode.
-std::vector<double> LargestOf(const Space& space)
+std::vector<double> ModeBounds(const Space& space)
 {
   std::vector<double> largest;
   ForEachMode(space,
@@ -161,8 +161,8 @@ const FaceRestriction::Change* FaceRestriction::ChangeFor(
       EvaluateModes(space, xi, values);
     };
     at->second = std::make_unique<const Change>(
-      Change{ ChangeOfBasis::FromFunctions(*onFace, space.Modes(), atChart), LargestOf(*onFace),
-        LargestOf(space) });
+      Change{ ChangeOfBasis::FromFunctions(*onFace, space.Modes(), atChart), ModeBounds(*onFace),
+        ModeBounds(space) });
   }
   return at->second.get();
 }
