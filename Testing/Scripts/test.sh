@@ -33,7 +33,7 @@ case "${1:-}" in
 esac
 # Seconds of the processor, which depend less on a machine's other work than the clock does. The
 # network has none.
-declare -A budgets=([build]=3600 [test]=3000 [paraview]=2400 [instructions]=900 [sanitize]=9000 [plain]=9000
+declare -A budgets=([build]=2400 [test]=3000 [paraview]=2400 [instructions]=900 [sanitize]=9000 [plain]=9000
   [fuzz]=1200 [format]=120 [tidy]=2400 [package]=1500)
 deadline=${PIXELEXACT_DEADLINE:-4800}
 build=build
