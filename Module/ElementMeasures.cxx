@@ -19,9 +19,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -31,7 +31,8 @@ constexpr const char* kAttribute = "attribute";
 constexpr const char* kElementSize = "elementSize";
 constexpr const char* kMinDetJ = "minDetJ";
 constexpr const char* kMinScaledJacobian = "minScaledJacobian";
-constexpr std::array kMeasures{ kAttribute, kElementSize, kMinDetJ, kMinScaledJacobian };
+constexpr std::array<std::string_view, 4> kMeasures{ kAttribute, kElementSize, kMinDetJ,
+  kMinScaledJacobian };
 
 /// CellData of solvers' grids (SolverGrid.h).
 constexpr const char* kAttributeArray = "Attribute";
@@ -41,8 +42,33 @@ bool IsLetter(char c)
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+/// The text without its quoted names, except those that are a measure's.
+std::string WithoutQuotedNames(const std::string& text)
+{
+  std::string rest;
+  for (std::size_t at = 0; at < text.size();)
+  {
+    const std::size_t end =
+      text[at] == '"' || text[at] == '\'' ? text.find(text[at], at + 1) : std::string::npos;
+    if (end == std::string::npos)
+    {
+      rest += text[at++];
+      continue;
+    }
+    const std::string name = text.substr(at + 1, end - at - 1);
+    rest += ' ';
+    if (std::ranges::find(kMeasures, name) != kMeasures.end())
+    {
+      rest += name;
+    }
+    rest += ' ';
+    at = end + 1;
+  }
+  return rest;
+}
+
 /// Whether a text contains a name that is no part of a longer one.
-bool ContainsWord(const std::string& text, const std::string& name)
+bool ContainsWord(const std::string& text, std::string_view name)
 {
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
   {
@@ -77,32 +103,33 @@ Field FieldOf(
   Validate(field, mesh);
   return field;
 }
-/// A proven lower bound of a scalar in an element; NaN where none was found. The other end of the
-/// range is not searched.
-double LowerBoundOf(const Mesh& mesh, const Field& field, int element)
+/// A proven lower bound of a scalar in an element, at least `floor`, which is one; NaN where none
+/// is finite, or coefficients are not. The other end of the range is not searched.
+double LowerBoundOf(const Mesh& mesh, const Field& field, int element, double floor)
 {
   constexpr double kTolerance = 1e-2;
   constexpr int kMaxBoxes = 3000;
   constexpr int kBoxesBetweenChecks = 16;
   const ElementRange searched(mesh, element, { Quantity::Component, &field });
-  CertifiedRange range;
-  if (searched.IsFinite())
+  if (!searched.IsFinite())
   {
-    const std::unique_ptr<RangeSearch> search = searched.Begin();
-    bool isSharp = false;
-    while (!isSharp)
-    {
-      for (int k = 0; k < kBoxesBetweenChecks && !isSharp; ++k)
-      {
-        isSharp = !search->Refine(RangeSearch::End::Lower);
-      }
-      range = search->Current();
-      const double width = range.attained.upper - range.attained.lower;
-      isSharp = isSharp || range.GapBelow() <= kTolerance * width || range.boxes >= kMaxBoxes;
-    }
-    range = Scaled(range, searched.Exponent());
+    return std::numeric_limits<double>::quiet_NaN();
   }
-  const double lower = range.outer.lower;
+  CertifiedRange range;
+  const std::unique_ptr<RangeSearch> search = searched.Begin();
+  bool isSharp = false;
+  while (!isSharp)
+  {
+    for (int k = 0; k < kBoxesBetweenChecks && !isSharp; ++k)
+    {
+      isSharp = !search->Refine(RangeSearch::End::Lower);
+    }
+    range = search->Current();
+    const double width = range.attained.upper - range.attained.lower;
+    isSharp = isSharp || range.GapBelow() <= kTolerance * width || range.boxes >= kMaxBoxes;
+  }
+  const double found = Scaled(range, searched.Exponent()).outer.lower;
+  const double lower = found > floor ? found : floor;
   return std::isfinite(lower) ? lower : std::numeric_limits<double>::quiet_NaN();
 }
 } // namespace
@@ -137,8 +164,14 @@ std::set<std::string> ElementMeasures::NamedIn(
   {
     const std::string& next = *texts.back();
     texts.pop_back();
-    std::ranges::copy_if(kMeasures, std::inserter(names, names.end()),
-      [&next](const char* name) { return ContainsWord(next, name); });
+    const std::string words = WithoutQuotedNames(next);
+    for (const std::string_view name : kMeasures)
+    {
+      if (ContainsWord(words, name))
+      {
+        names.emplace(name);
+      }
+    }
     for (const auto& [name, definition] : definitions)
     {
       if (ContainsWord(next, name) && used.insert(name).second)
@@ -191,7 +224,13 @@ std::vector<double> ElementMeasures::ValuesOf(const std::string& name)
       "' is a measure of solids, and the mesh is a surface in space; use attribute, element or "
       "order");
   }
-  return name == kElementSize ? Sizes() : LowerBounds(name == kMinDetJ ? "detJ" : "scaledJacobian");
+  if (name == kElementSize)
+  {
+    return Sizes();
+  }
+  constexpr double kLowest = -1.0; // Hadamard's inequality
+  return name == kMinDetJ ? LowerBounds("detJ", -std::numeric_limits<double>::infinity())
+                          : LowerBounds("scaledJacobian", kLowest);
 }
 
 std::vector<double> ElementMeasures::Sizes() const
@@ -210,14 +249,14 @@ std::vector<double> ElementMeasures::Sizes() const
   return sizes;
 }
 
-std::vector<double> ElementMeasures::LowerBounds(const std::string& expression) const
+std::vector<double> ElementMeasures::LowerBounds(const std::string& expression, double floor) const
 {
   Field field;
   field.name = expression;
   field.function = MakeExpression(expression, ExpressionScope{});
   std::vector<double> bounds(static_cast<std::size_t>(mesh_.Elements()));
   tbb::parallel_for(0, mesh_.Elements(),
-    [&](int e) { bounds[static_cast<std::size_t>(e)] = LowerBoundOf(mesh_, field, e); });
+    [&](int e) { bounds[static_cast<std::size_t>(e)] = LowerBoundOf(mesh_, field, e, floor); });
   return bounds;
 }
 } // namespace pixelexact

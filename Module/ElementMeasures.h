@@ -21,12 +21,13 @@ namespace pixelexact
 /// Numbers of elements as fields of order 0, which are computed when an expression first names
 /// them:
 ///
-///   attribute           the source's number for the element's group
-///   elementSize         the third root of the volume, of a plane mesh the root of the area;
-///   numeric minDetJ             a proven lower bound of det J in the element, to a thousandth of
-///   its range minScaledJacobian   the same of det J over the product of the lengths of J's columns
+/// - attribute: the source's number for the element's group.
+/// - elementSize: the third root of the volume, of a plane mesh the root of the area; numeric.
+/// - minDetJ: a proven lower bound of det J in the element, NaN where none was found.
+/// - minScaledJacobian: a proven lower bound of det J over the product of the lengths of J's
+///   columns, -1 where none above it was found.
 ///
-/// A bound that was not found is NaN. The mesh must outlive the object.
+/// Both bounds aim at a hundredth of the range. The mesh must outlive the object.
 class ElementMeasures
 {
 public:
@@ -55,7 +56,7 @@ private:
   [[nodiscard]] const Field& Measure(const std::string& name);
   [[nodiscard]] std::vector<double> ValuesOf(const std::string& name);
   [[nodiscard]] std::vector<double> Sizes() const;
-  [[nodiscard]] std::vector<double> LowerBounds(const std::string& expression) const;
+  [[nodiscard]] std::vector<double> LowerBounds(const std::string& expression, double floor) const;
 
   const Mesh& mesh_;
   std::vector<double> Attributes; ///< by element

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -118,12 +119,12 @@ private:
   std::int64_t Placed = 0; ///< coefficients
 };
 
-/// The elements of a surface in space as faces with the cells' attributes, which the array
-/// Attribute of a grid of Exodus II holds.
+/// The elements of a surface in space as faces with the cells' attributes, which the grid's array
+/// Attribute holds.
 std::vector<AttributedFace> FacesOfSurface(vtkUnstructuredGrid* grid, const SourceMesh& mesh)
 {
-  auto* attribute = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("Attribute"));
-  if (attribute == nullptr)
+  vtkDataArray* const attribute = grid->GetCellData()->GetArray("Attribute");
+  if (attribute == nullptr || attribute->GetNumberOfComponents() != 1)
   {
     return {};
   }
@@ -131,7 +132,12 @@ std::vector<AttributedFace> FacesOfSurface(vtkUnstructuredGrid* grid, const Sour
   faces.reserve(static_cast<std::size_t>(mesh.Elements()));
   for (int e = 0; e < mesh.Elements(); ++e)
   {
-    faces.push_back({ { e, ShellFace(mesh.Basis(e).GetSpace().shape) }, attribute->GetValue(e) });
+    const double number = attribute->GetComponent(e, 0);
+    if (number >= std::numeric_limits<int>::min() && number <= std::numeric_limits<int>::max())
+    {
+      faces.push_back(
+        { { e, ShellFace(mesh.Basis(e).GetSpace().shape) }, static_cast<int>(number) });
+    }
   }
   return faces;
 }

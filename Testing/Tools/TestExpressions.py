@@ -403,6 +403,10 @@ class Expressions(ToolTest):
             plain_grid(points, [(12, list(range(8)))], [("u", [p[0] for p in points])]), encoding="utf-8")
         found = self.summary("info", path, "--extremes", "minScaledJacobian")["extremes"]["fields"][0]
         self.assertLess(found["components"][0]["maximum"]["value"], 0.0)
+        self.assertGreaterEqual(found["components"][0]["minimum"]["value"], -1.0)
+        # A quoted name of a field may contain a measure's.
+        path.write_text(plain_grid(CUBE, [(12, list(range(8)))], [("my attribute", [1.0] * 8)]), encoding="utf-8")
+        self.summary("info", path, "--extremes", '"my attribute"*2')
         self.fails(1, "info", path, "--extremes", "attribute", names=["attributes", "element"])
 
     def test_orders_by_direction(self):

@@ -155,6 +155,22 @@ class Norms(ToolTest):
         slope = np.polyfit(np.log(steps), np.log(errors), 1)[0]
         self.assertAlmostEqual(series["orders"][0]["l2"]["overall"], slope, delta=1e-10)
 
+    def test_a_series_states_what_is_not_finite(self):
+        paths = []
+        for name, last in (("whole", 1.0), ("half", float("nan"))):
+            points = [[x + dx, y, z] for dx in (0.0, 1.0) for x, y, z in CUBE]
+            fields = [("u", [p[0] for p in points[:-1]] + [last * points[-1][0]])]
+            paths.append(self.folder / f"{name}.vtu")
+            cells = [(12, list(range(8))), (12, list(range(8, 16)))]
+            paths[-1].write_text(plain_grid(points, cells, fields), encoding="utf-8")
+        words = ["info", paths[0], "--with", paths[1], "--norms"]
+        series = self.summary(*words, "u")["norms"]["series"]
+        found = {one["solution"]: one["norms"][0]["not_finite_elements"] for one in series["solutions"]}
+        self.assertEqual(found, {"whole.vtu": 0, "half.vtu": 1})
+        self.assertIn("not finite in 1 element, left out of the norms", self.succeeds(*words, "u").stdout)
+        nothing = self.summary(*words, "u/0")["norms"]["series"]["solutions"]
+        self.assertEqual([one["norms"][0]["l2"] for one in nothing], [None, None])
+
     def test_refusals_of_a_series(self):
         path = case("toroid_hex_g3_p6")
         self.fails(2, "info", path, "--with", path, names=["--norms"])

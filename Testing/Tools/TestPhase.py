@@ -34,6 +34,14 @@ class Phase(ToolTest):
                 np.testing.assert_allclose(found["u"], c * x - s * y, atol=1e-14)
                 np.testing.assert_allclose(found["v_1"], c * y - s * z, atol=1e-14)
 
+    def test_a_field_alone_and_one_that_is_stored(self):
+        self.summary("probe", self.cube, "--phase", 30, "--field", "u", "--line", "0,0,0,1,0,0,3",
+                     "--output", self.folder / "o.csv")
+        stored = self.folder / "stored.vtu"
+        stored.write_text(unit_cube_grid([(name, [1.0] * 8) for name in ("s", "s_real", "s_imag", "u_real", "u_imag")]),
+                          encoding="utf-8")
+        self.assertIn("field 's' is stored beside", self.succeeds("info", stored, "--phase", 30).stderr)
+
     def test_animation_over_a_period(self):
         summary = self.summary("render", self.cube, "--field", "u", "--plane", "z=0.5", "--sweep",
                                "phase=0:270:4", "--size", "20x20", "--output",

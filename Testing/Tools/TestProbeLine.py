@@ -87,6 +87,13 @@ class ProbeLine(ToolTest):
         self.assertEqual([one["solution"] for one in found["solutions"]], names)
         twice = self.rows("--field", "u", *LINE, "--with", self.cube)["solution"]
         self.assertEqual([name[-4:] for name in twice[[0, -1]]], [" (1)", " (2)"])
+        # Files after one --with are time steps of one solution, which its name states.
+        for step in (0, 1):
+            series = self.folder / f"r_{step}.vtu"
+            series.write_text(unit_cube_grid([("u", [(step + 4) * p[0] for p in CUBE])]), encoding="utf-8")
+        rows = self.rows("--field", "u", *LINE, "--with", self.folder / "r_0.vtu", self.folder / "r_1.vtu")
+        self.assertEqual(rows["solution"][-1], "r_0.vtu to r_1.vtu, step 0")
+        np.testing.assert_allclose(rows["value"][7:], 4 * one, rtol=1e-15, atol=0)
         base = ["probe", self.cube, *LINE, "--with", paths[1], "--field"]
         self.fails(1, *base, "v", names=["--with 'p/cube.vtu'", "components"])
         done = run(*base, "2*u")

@@ -393,6 +393,13 @@ class MixedFiles(ShellTest):
         self.assertEqual(chosen["shapes"], {"triangle": 8, "quadrilateral": 5})
         self.assertEqual(chosen["skipped_cells"], 2)
         self.check_surface(file)
+        # Parts of a grid by the cells' attributes.
+        made = Patches(3, 3, graph, "mixed")
+        kinds = np.arange(len(made.cells)) % 2 + 5
+        parts = self.folder / "parts.vtu"
+        parts.write_text(plain_grid(made.points, made.cells, (), [("Attribute", kinds.astype(float))]), encoding="utf-8")
+        areas = [self.integrals(parts, "--field", "Attribute", f"--boundary={k}")["Area"]["value"] for k in (5, 6)]
+        self.assertAlmostEqual(sum(areas), over_square(area_element), delta=1e-7)
         x, y, inside = squares_seen()
         _, seen = self.shown(file, "--field", "u", "--surface-elements")
         np.testing.assert_array_equal(seen["Verdict"] == 1, inside)

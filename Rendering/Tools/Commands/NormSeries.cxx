@@ -5,6 +5,7 @@
 #include "Input/OtherInputs.h"
 #include "Scene/Model.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace pixelexact
 {
@@ -20,10 +22,15 @@ namespace
 constexpr std::array kNorms{ "L1", "L2", "Linf" };
 constexpr std::array kNormKeys{ "l1", "l2", "linf" };
 
-/// A norm, by its place in kNorms, and the estimate of its error.
+/// A norm, by its place in kNorms, and the estimate of its error; NaN where no value is finite.
 SeriesError NormOf(const NormedSolution& solution, std::size_t field, std::size_t norm)
 {
   const NormsOfField& of = solution.facts.fields[field];
+  if (of.norms.largestElement < 0)
+  {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return { 0.0, kNone, kNone };
+  }
   if (norm < 2)
   {
     const Estimate& number = norm == 0 ? of.norms.l1 : of.norms.l2;
@@ -38,8 +45,11 @@ std::optional<SeriesOrder> OrderOf(const NormSeries& series, std::size_t field, 
   errors.reserve(series.solutions.size());
   for (const NormedSolution& solution : series.solutions)
   {
-    errors.push_back(NormOf(solution, field, norm));
-    errors.back().step = StepOf(solution.size, series.axis);
+    if (solution.facts.fields[field].norms.notFinite == 0)
+    {
+      errors.push_back(NormOf(solution, field, norm));
+      errors.back().step = StepOf(solution.size, series.axis);
+    }
   }
   return OrderOfErrors(errors);
 }
@@ -67,7 +77,8 @@ NormSeries FindNormSeries(const LoadedModel& first, const NormFacts& facts,
   const std::vector<InputRequest> requests = with.RequestsAfter(request);
   const std::vector<std::string> inputs = NamesOfInputs(requests);
   NormSeries series;
-  series.solutions.push_back({ inputs.front(), LargestSize(first, inputs.front()), facts });
+  series.solutions.push_back(
+    { SolutionName(inputs.front(), request, first), LargestSize(first, inputs.front()), facts });
   Stopwatch stopwatch;
   for (std::size_t k = 1; k < requests.size(); ++k)
   {
@@ -79,8 +90,8 @@ NormSeries FindNormSeries(const LoadedModel& first, const NormFacts& facts,
     {
       own.push_back(FieldNamedOrOnly(*input.model, name, inputs[k]).name);
     }
-    series.solutions.push_back(
-      { inputs[k], LargestSize(input, inputs[k]), FindNormFacts(input, own) });
+    series.solutions.push_back({ SolutionName(inputs[k], requests[k], input),
+      LargestSize(input, inputs[k]), FindNormFacts(input, own) });
   }
   std::vector<SolutionSize> sizes(series.solutions.size());
   std::ranges::transform(series.solutions, sizes.begin(), &NormedSolution::size);
@@ -112,6 +123,11 @@ void AddTo(Table& table, const NormSeries& series)
       table.Row("", "{:>9} {:>7} {:>9} {:>9} {:>10} {:>10} {:>10}  {}", one.size.elements,
         OrderText(one.size.orders), one.size.modes, Short(one.size.length, 3), text(0), text(1),
         text(2), one.name);
+      if (const int notFinite = one.facts.fields[f].norms.notFinite; notFinite > 0)
+      {
+        table.Row("", "          not finite in {}, left out of the norms; no part of the slopes",
+          Counted(notFinite, "element"));
+      }
     }
     for (std::size_t norm = 0; norm < kNorms.size(); ++norm)
     {
@@ -141,6 +157,7 @@ void AddTo(nlohmann::ordered_json& summary, const NormSeries& series)
       {
         norms[kNormKeys[norm]] = NormOf(one, f, norm).error;
       }
+      norms["not_finite_elements"] = one.facts.fields[f].norms.notFinite;
       entry["norms"].push_back(std::move(norms));
     }
     solutions.push_back(std::move(entry));

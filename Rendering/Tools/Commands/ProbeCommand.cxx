@@ -268,7 +268,11 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   {
     ForEachStep(requests[k], needsAll ? std::string() : options.fields.front(), stopwatch,
       [&](const LoadedModel& input)
-      { ProbeInput(input, inputs[k], options, common.json, stopwatch, run); });
+      {
+        const std::string name =
+          inputs[k].empty() ? inputs[k] : SolutionName(inputs[k], requests[k], input);
+        ProbeInput(input, name, options, common.json, stopwatch, run);
+      });
   }
   WriteProbeTable(options.output, run.given.points, run.steps, options.input.allSteps);
   if (options.plot.IsAsked())

@@ -70,7 +70,7 @@ std::vector<std::string> NamesOfInputs(const std::vector<InputRequest>& requests
   // The same file may be there several times.
   for (std::size_t k = 0; k < names.size(); ++k)
   {
-    names[k] += " (" + std::to_string(k + 1) + ")";
+    names[k] = EndOf(requests[k].files.back(), 1) + " (" + std::to_string(k + 1) + ")";
   }
   return names;
 }

@@ -15,6 +15,7 @@
 #include "vtkHighOrderGrid.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
@@ -32,6 +33,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace pixelexact
@@ -84,8 +86,10 @@ void Convert(LoadedModel& input, const InputRequest& request, const std::string&
   {
     fields.push_back(request.warp->field);
   }
-  if (std::ranges::all_of(
-        fields, [&input](const std::string& name) { return HasArray(*input.grid, name); }))
+  // A complex field needs two arrays, which the option that names it does not.
+  if (!request.phase &&
+    std::ranges::all_of(
+      fields, [&input](const std::string& name) { return HasArray(*input.grid, name); }))
   {
     std::ranges::for_each(
       fields, [&converter](const std::string& name) { converter->AddField(name); });
@@ -172,6 +176,17 @@ void Turn(LoadedModel& input, double phase)
   {
     throw Error("--phase: the input has no complex field, which is a pair NAME_real and NAME_imag; "
                 "leave it out");
+  }
+  const std::vector<std::string> stored = StoredFieldNames(turned);
+  const auto isStored = [&stored](const std::string& name)
+  { return std::ranges::find(stored, name) != stored.end(); };
+  for (const std::string& name : stored)
+  {
+    if (isStored(name + "_real") && isStored(name + "_imag"))
+    {
+      input.diagnostics.push_back("--phase: field '" + name + "' is stored beside '" + name +
+        "_real' and '" + name + "_imag' and stays as it is; rename it to see the complex field");
+    }
   }
   input.grid = turned;
 }
@@ -277,6 +292,22 @@ void ForEachStep(const InputRequest& request, const std::string& field, Stopwatc
     }
     visit(now);
   }
+}
+
+std::string SolutionName(
+  const std::string& name, const InputRequest& request, const LoadedModel& input)
+{
+  if (request.allSteps || input.times.size() < 2)
+  {
+    return name;
+  }
+  const std::size_t files = request.files.size();
+  if (files < input.times.size())
+  {
+    return fmt::format("{}, step {}", name, input.step);
+  }
+  const std::filesystem::path first = request.files[files - input.times.size()];
+  return fmt::format("{} to {}, step {}", first.filename().string(), name, input.step);
 }
 
 double TimeOf(const LoadedModel& input)

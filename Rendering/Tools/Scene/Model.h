@@ -59,6 +59,11 @@ LoadedModel Changed(const LoadedModel& before, const InputRequest& request);
 void ForEachStep(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
   const std::function<void(const LoadedModel&)>& visit);
 
+/// The name of a solution, whose last file is `name`: with the first file and the step where files
+/// are time steps of which one is requested.
+std::string SolutionName(
+  const std::string& name, const InputRequest& request, const LoadedModel& input);
+
 /// The time of the step; 0 where the input has no time.
 double TimeOf(const LoadedModel& input);
 /// Reports which time step this is; nothing where the input has no time.

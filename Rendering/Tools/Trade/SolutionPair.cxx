@@ -42,7 +42,7 @@ const Field& FieldOf(const LoadedModel& input, const std::string& given, const s
 std::string SolutionName(const InputRequest& request, const LoadedModel& input)
 {
   const std::string file = std::filesystem::path(request.files.back()).filename().string();
-  return input.times.size() > 1 ? fmt::format("{} step {}", file, input.step) : file;
+  return SolutionName(file, request, input);
 }
 
 OtherSolution LoadOther(
