@@ -15,6 +15,8 @@
 #include "Core/Shape/ShapeFace.h"
 #include "Trace/Projection.h"
 
+#include <vtkUnstructuredGrid.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

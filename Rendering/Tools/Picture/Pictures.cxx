@@ -11,6 +11,8 @@
 #include "Trace/Projection.h"
 #include "Trace/Surfaces/Plane.h"
 
+#include <vtkUnstructuredGrid.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>

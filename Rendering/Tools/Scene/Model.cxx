@@ -184,8 +184,10 @@ void Turn(LoadedModel& input, double phase)
   {
     if (isStored(name + "_real") && isStored(name + "_imag"))
     {
-      input.diagnostics.push_back("--phase: field '" + name + "' is stored beside '" + name +
-        "_real' and '" + name + "_imag' and stays as it is; rename it to see the complex field");
+      input.diagnostics.push_back(
+        fmt::format("--phase: field '{0}' is stored beside '{0}_real' and '{0}_imag' and stays as "
+                    "it is; rename it to see the complex field",
+          name));
     }
   }
   input.grid = turned;
