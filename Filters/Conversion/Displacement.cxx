@@ -127,9 +127,8 @@ std::vector<Summand> SummandsOf(
   if (sum.empty())
   {
     Refuse(text,
-      "it is an expression other than a sum of fields with numbers as factors, and no polynomial "
-      "of "
-      "xi on each element; give a vector field, or vec(u,v,w) of scalar fields.");
+      "it is an expression other than a sum of fields with numbers as factors, and no "
+      "polynomial of xi on each element; give a vector field, or vec(u,v,w) of scalar fields.");
   }
   for (const Summand& summand : sum)
   {

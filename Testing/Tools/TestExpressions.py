@@ -390,7 +390,7 @@ class Expressions(ToolTest):
             self.assertTrue((bound <= sample).all())
             for e in np.unique(element):
                 self.assertEqual(len(np.unique(bound[element == e])), 1)
-                # The bound is attained to a thousandth of the range, and some samples come near.
+                # The bound aims at a hundredth of the range, and some samples come near.
                 self.assertGreater(bound[element == e][0], 0.5 * sample[element == e].min())
         # They are fields: parts of expressions, with proven extremes.
         found = self.summary("info", TORUS, "--extremes", "minScaledJacobian", "--extremes", "2*minScaledJacobian")
